@@ -53,6 +53,16 @@ def test_what_is_written_or_drawn_on_it_is_named():
     assert words.summary(report) == 'mug, white, "HELLO", red heart'
 
 
+def test_what_goes_with_it_comes_last():
+    told = {
+        "a white rabbit on a wooden chair": "rabbit, white, on: wooden chair",
+        "a cat wearing a santa hat": "cat, wears: red beanie (white brim, white pompom)",
+        "a robot holding a sign that says HELLO": 'robot, holds: signpost ("HELLO")',
+    }
+    for prompt, line in told.items():
+        assert words.summary(words.ask(CORE, (prompt, False))) == line
+
+
 def test_the_words_are_known_before_the_installation_by_blenders_own_python(tmp_path):
     core = Core(tmp_path / "no python", ROOT)
     assert words.ask(core, ("a mug", False))["thing"] == "mug"

@@ -131,6 +131,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     ranks = inputs.ranks
     inputs = in_proportion(facing(run, inputs, progress), job)
     guidance = inputs.guidance
+    run.grown = guidance.grown()
     for text in guidance.left_out():
         progress.warn(text)
     if job.reshape and ranks.first:
@@ -196,7 +197,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = mesh.verts.cpu()
     generated = job.command == "generate"
     verts = turned(verts, -run.turn) if run.turn else verts
-    verts = place(verts, size_of(job, verts)) if generated else back(verts, inputs.shape)
+    verts = place(verts, size_of(run, verts)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
     return write_asset(run.asset, placed, maps, info_of(job, run), picture)
@@ -239,7 +240,9 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
     """
     if job.command != "generate" or inputs.config.geometry.start != "learned":
         return inputs
-    return replace(inputs, guidance=inputs.guidance.of_object(job.seed))
+    # Pictures know one thing alone.
+    whole = not learns(inputs.config.geometry)
+    return replace(inputs, guidance=inputs.guidance.of_object(job.seed, whole))
 
 
 def in_proportion(inputs: Inputs, job: Job) -> Inputs:

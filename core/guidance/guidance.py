@@ -208,10 +208,13 @@ class PromptedGuidance(ABC):
         del pictures, views
         return None
 
-    def of_object(self, seed: int) -> "PromptedGuidance":
+    def of_object(self, seed: int, whole: bool = True) -> "PromptedGuidance":
         """The guidance of one certain object that the prompt means, drawn by ``seed``; itself where
-        it knows pictures alone."""
-        del seed
+        it knows pictures alone.
+
+        ``whole``: with what the prompt wants together with the thing, such as what it is on.
+        """
+        del seed, whole
         return self
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedGuidance":
@@ -225,6 +228,10 @@ class PromptedGuidance(ABC):
     def start_shape(self) -> Shape | None:
         """The solid of that object, for Ψ to start from; None where there is none."""
         return None
+
+    def grown(self) -> float:
+        """How many times as long as the thing itself that object is, with what is made with it."""
+        return 1.0
 
     def areas(self) -> Areas | None:
         """The areas of that object; None where its parts are not known."""

@@ -38,6 +38,8 @@ class RunFolder:
         self.timings: dict[str, float] = {}
         # Radians about +Z by which its guide is turned; the previews are turned back.
         self.turn = 0.0
+        # How many times as long as the prompt's thing the asset is, with what is made with it.
+        self.grown = 1.0
 
     @classmethod
     def create(cls, path: Path, job: Job) -> "RunFolder":

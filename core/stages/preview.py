@@ -13,7 +13,6 @@ from core.camera import Cameras
 from core.geometry.mesh import turned
 from core.guidance.builtin.physical import longest_side
 from core.io.atomic import atomic_file
-from core.io.job import Job
 from core.io.png import unit_bytes, write_png
 from core.io.run_folder import RunFolder
 from core.render.normals import render_normals
@@ -33,7 +32,7 @@ def show_shape(run: RunFolder, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "
     picture = over_grey((n[0] + o[0]) / 2, o[0])
     write_png(run.preview_path("normals.png"), picture)
     keep_frame(run, "geometry", picture)
-    write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run.job, verts))
+    write_shape(run.preview_path("shape.npz"), verts, faces, size_of(run, verts))
     run.report("preview", stage="geometry", path="preview/normals.png")
     run.report("preview", stage="geometry", path="preview/shape.npz")
 
@@ -68,10 +67,11 @@ def over_grey(
     return unit_bytes((picture + (1 - o) * 0.9).detach().cpu())
 
 
-def size_of(job: Job, verts: Float[Tensor, "v 3"]) -> float:
-    """The longest side in metres of the job's asset, ``verts`` in any unit, +Z up: the user's or
+def size_of(run: RunFolder, verts: Float[Tensor, "v 3"]) -> float:
+    """The longest side in metres of the run's asset, ``verts`` in any unit, +Z up: the user's or
     the prompt's, or else the thing's usual one."""
-    return job.size_m or longest_side(job.prompt, (verts.amax(0) - verts.amin(0)).tolist())
+    extents = (verts.amax(0) - verts.amin(0)).tolist()
+    return run.job.size_m or longest_side(run.job.prompt, extents, run.grown)
 
 
 def write_shape(

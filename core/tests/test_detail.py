@@ -22,7 +22,8 @@ from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import FINISHES
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.variants import VARIANTS
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.builtin.words.words import MATERIALS
 from core.guidance.guidance import PromptedGuidance, Surface
 from core.guidance.stable_diffusion.guidance import PromptedStableDiffusion

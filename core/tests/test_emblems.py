@@ -24,7 +24,8 @@ from core.guidance.builtin.words.emblems import (
     FLAT,
     emblems_in,
 )
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 from core.io.job import Job, read_events
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder

@@ -32,7 +32,8 @@ from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import looks, painted
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.families import family

@@ -6,7 +6,8 @@ from core.guidance.builtin.palette import Painted, painted
 from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.words.colors import DARK, LIGHT, color_value
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 
 
 def test_a_colour_before_a_part_is_of_that_part_alone():

@@ -119,7 +119,7 @@ def test_of_two_materials_of_a_part_the_one_that_says_more_counts():
 
 
 def test_what_it_stands_on_with_its_looks_is_left_aside():
-    found = understood("a deer standing on a mossy rock")
+    found = understood("a deer near a mossy rock")
     assert (found["thing"], found["materials"], found["weather"]) == ("deer", [], [])
     assert "mossy rock: left out, as one thing is made at a time." in found["notes"]
 

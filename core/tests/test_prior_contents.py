@@ -3,7 +3,8 @@
 import pytest
 
 from core.guidance.builtin.words.lexicon import SLOTS
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 
 
 def read(prompt: str) -> Words:

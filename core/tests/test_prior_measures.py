@@ -7,6 +7,7 @@ from core.guidance.builtin.physical import longest_side
 from core.guidance.builtin.words.measures import Size, set_apart
 from core.guidance.builtin.words.vocabulary import parse, understood
 from core.io.job import Job
+from core.io.run_folder import RunFolder
 from core.stages.preview import size_of
 
 
@@ -141,11 +142,16 @@ def test_the_report_has_the_side_that_is_stated():
         ("Two unknown gizmos, 2 M tall", 8),  # of a prompt for other models too
     ],
 )
-def test_the_stated_side_of_what_is_made_is_so_long(prompt, longest):
+def test_the_stated_side_of_what_is_made_is_so_long(prompt, longest, tmp_path):
     box = torch.tensor([[0.0, 0, 0], [2, 4, 1]])
     assert longest_side(prompt, (2, 4, 1)) == pytest.approx(longest)
-    assert size_of(Job(prompt=prompt), box) == pytest.approx(longest)
-    assert size_of(Job(prompt=prompt, size_m=0.25), box) == 0.25
+    run = RunFolder.create(tmp_path / "words", Job(prompt=prompt))
+    assert size_of(run, box) == pytest.approx(longest)
+    own = RunFolder.create(tmp_path / "own", Job(prompt=prompt, size_m=0.25))
+    assert size_of(own, box) == 0.25
+    run.grown = 1.5  # with what it is on
+    stated = "2 m" in prompt.lower()
+    assert size_of(run, box) == pytest.approx(longest * (1 if stated else 1.5))
 
 
 @pytest.mark.parametrize(("prompt", "metres"), [("vase 120mm", 0.12), ("a 40 mm cube", 0.04)])

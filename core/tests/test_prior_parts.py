@@ -3,7 +3,8 @@
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.words.vocabulary import Words, parse, understood
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse, understood
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,8 @@ from core.guidance.builtin.surfaces import ALL_GLOWS, PART_GLOWS, SHINES, surfac
 from core.guidance.builtin.variants import VARIANTS
 from core.guidance.builtin.words.colors import COLOR_VALUES, SHADES, TOWARDS, color_value, shade
 from core.guidance.builtin.words.lexicon import LEXICON
-from core.guidance.builtin.words.vocabulary import Words, parse, understood
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse, understood
 from core.texture.detail.kinds import KINDS
 
 

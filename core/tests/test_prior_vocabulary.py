@@ -11,7 +11,8 @@ from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.words.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.words.nearest import NEAREST, REAL
 from core.guidance.builtin.words.part_tables import OPTIONS, PART_WORDS
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Companion, Words
+from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.builtin.words.words import (
     COLORS,
     COUNTS,
@@ -106,7 +107,12 @@ def test_two_colours_are_a_pattern_or_belong_to_parts(prompt, words):
         ("a lion statue", Words("lion", material="stone", is_statue=True)),
         (
             "the stone sculpture of a man on a horse",
-            Words("person", material="stone", is_statue=True),
+            Words(
+                "person",
+                material="stone",
+                is_statue=True,
+                companions=(Companion("on", Words("horse", material="stone", is_statue=True)),),
+            ),
         ),
         ("a statue", Words("bust")),
         ("a statue holding a sword", Words("bust")),
@@ -241,7 +247,7 @@ def test_of_many_one_is_made_and_that_is_said(prompt):
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("a robot playing guitar, in red", Words("robot", color="red")),
+        ("a robot playing cards, in red", Words("robot", color="red")),
         ("a dragon guarding gold", Words("dragon")),
         ("a chest full of gold", Words("open chest")),
         ("a chest full of toys", Words("chest")),

@@ -114,9 +114,9 @@ def test_what_is_said_of_the_thing_stays_the_things(prompt: str, color: str, mat
 @pytest.mark.parametrize(
     ("prompt", "other"),
     [
-        ("penguins on a block of ice", "block"),
-        ("a man on a horse in black", "horse"),
-        ("a girl with a hat made of gold", "hat"),
+        ("penguins beside a block of ice", "block"),
+        ("a man beside a horse in black", "horse"),
+        ("a girl with a lamp made of gold", "lamp"),
     ],
 )
 def test_what_is_said_of_something_else_is_left_out_with_it(prompt: str, other: str) -> None:

@@ -144,7 +144,7 @@ def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
     [
         ("a couch with red pillows", Words("sofa"), "red pillow"),
         ("a vase of red flowers, blue", Words("vase", color="blue"), "red flower"),
-        ("a yellow robot holding a wooden sword", Words("robot", color="yellow"), "wooden sword"),
+        ("a yellow robot with a wooden sword", Words("robot", color="yellow"), "wooden sword"),
         ("table with lamp", Words("table"), "lamp"),
     ],
 )
@@ -287,6 +287,7 @@ def test_what_is_understood_is_plain_data():
         "emblems": [],
         "weather": [],
         "sheen": [],
+        "companions": [],
         "materials": ["oak"],
         "pattern": "two-tone",
         "size_m": 8.0,

@@ -114,15 +114,30 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 
 
 def summary(report: Report) -> str:
-    """What is understood, in the order of the prompt's grammar: "chair, red, wooden"."""
+    """What is understood, in the order of the prompt's grammar: "chair, red, wooden"; last what
+    goes with it: "rabbit, white, on: red pillow"."""
     words = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
-    told = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
-    own = dict.fromkeys(part for of_parts in told for part in of_parts)
+    looks, own = _of_parts(report)
     parts = [part for part in report["parts"] if part not in own]
-    looks = [" ".join([*(of[part] for of in told if part in of), part]) for part in own]
     late = [*report.get("sheen", []), *report.get("weather", [])]
     words += [*report["materials"], *late, *parts, *looks, *report.get("emblems", [])]
+    words += map(_beside, report.get("companions", []))
     return ", ".join(filter(None, words))
+
+
+def _of_parts(report: Report) -> tuple[list[str], list[str]]:
+    """How the parts look that have looks of their own, and these parts."""
+    told = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
+    own = list(dict.fromkeys(part for of_parts in told for part in of_parts))
+    return [" ".join([*(of[part] for of in told if part in of), part]) for part in own], own
+
+
+def _beside(other: Report) -> str:
+    """Another thing, and how the first has it: "wears: red beanie (white brim)"."""
+    words = [*other["colours"], other["pattern"], *other["materials"], other["thing"]]
+    more = [*_of_parts(other)[0], *other["emblems"]]
+    behind = f" ({', '.join(more)})" if more else ""
+    return f"{other['relation']}: {' '.join(filter(None, words))}{behind}"
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

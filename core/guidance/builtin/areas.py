@@ -7,6 +7,7 @@ from a little farther inside its own area, and the border is as sharp as the tex
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import torch
 import torch.nn.functional as F
@@ -28,6 +29,14 @@ STEEPEST = 3.0  # a margin's slope, at most: it is the difference of two distanc
 Field = Callable[
     [Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]
 ]  # signed distance and how deep in each area, at points
+
+
+class AreaFields(NamedTuple):
+    """An object's areas in space."""
+
+    drawn: Field
+    near: Field  # the same, exact near the surface
+    each: tuple[Area, ...]  # what the words and nature say of the areas
 
 
 def depths(distances: Callable[[Tensor], Tensor], parts: int) -> Field:

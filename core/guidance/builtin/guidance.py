@@ -20,8 +20,10 @@ from core.device import has_fast_bfloat16
 from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
-from core.guidance.builtin.areas import SolidAreas, depths, patterned
+from core.guidance.builtin.areas import AreaFields, SolidAreas, depths, patterned
 from core.guidance.builtin.bent import BentSolid, bent
+from core.guidance.builtin.composition.composed import Composed
+from core.guidance.builtin.composition.wearing import bareheaded
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
@@ -49,7 +51,8 @@ from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of, surfaces_of
 from core.guidance.builtin.weights import load_weights
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
-from core.guidance.builtin.words.vocabulary import Words, parse
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import (
     Area,
     Guidance,
@@ -99,7 +102,7 @@ class BuiltinGuidance(Guidance):
         self.alpha_bar = alpha_bar_schedule().to(self.device)
         self.half = has_fast_bfloat16(self.device)
 
-    def prompted(self, prompt: str, negative_prompt: str) -> "PromptedBuiltin":
+    def prompted(self, prompt: str, negative_prompt: str) -> "PromptedBuiltin | Composed":
         """Raises ``UserError`` for words that are not in the vocabulary, unless they are ignored.
 
         Warns, as ``PromptWarning``, of what was read as another word or left out.
@@ -109,7 +112,12 @@ class BuiltinGuidance(Guidance):
         negative = parse(negative_prompt, noun_needed=False, **options)
         for note in (*words.notes, *negative.notes):
             warnings.warn(note, PromptWarning, stacklevel=2)
-        return PromptedBuiltin(self, words, negative)
+        words = bareheaded(words, words.companions)
+        first = PromptedBuiltin(self, words, negative)
+        if not words.companions:
+            return first
+        others = [PromptedBuiltin(self, one.words, negative) for one in words.companions]
+        return Composed(self, [first, *others], [one.relation for one in words.companions])
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -161,8 +169,9 @@ class PromptedBuiltin(PromptedGuidance):
         """Of each part, by the words or by the thing's nature."""
         return surfaces_of(self.words)
 
-    def of_object(self, seed: int) -> "PromptedBuiltin":
+    def of_object(self, seed: int, whole: bool = True) -> "PromptedBuiltin":
         """One drawn by the solids' network, then stretched as the shape's adjective says."""
+        del whole
         net, words = self.builtin.solid, self.words
         if net is None or not words.noun:
             return self
@@ -192,6 +201,11 @@ class PromptedBuiltin(PromptedGuidance):
 
     def areas(self) -> SolidAreas | None:
         """The drawn solid's parts, each in the colours of its pattern."""
+        fields = self.area_fields()
+        return fields and SolidAreas(fields.drawn, fields.each, fields.near)
+
+    def area_fields(self) -> AreaFields | None:
+        """Those areas in space, and what is meant by each."""
         known = self._known
         if known is None:
             return None
@@ -214,7 +228,7 @@ class PromptedBuiltin(PromptedGuidance):
             each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
             margins.append(None)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
-        return SolidAreas(drawn, tuple(each), near)
+        return AreaFields(drawn, near, tuple(each))
 
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that is not there: on a mesh of the user's, where the shape is

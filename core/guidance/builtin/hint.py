@@ -13,7 +13,7 @@ from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import RAINBOW_COLORS, Laid
 from core.guidance.builtin.words.lexicon import SLOTS
-from core.guidance.builtin.words.vocabulary import Words
+from core.guidance.builtin.words.slots import Words
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES

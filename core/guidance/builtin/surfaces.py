@@ -9,7 +9,7 @@ from core.guidance.builtin.palette import FINISHES, Finish, Painted, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.words.colors import Color, luma, toned
-from core.guidance.builtin.words.vocabulary import Words
+from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
 

@@ -56,7 +56,10 @@ CLOTHES = {
         Usual(0.24, LEATHER, 0.65),
     ),
     "helmet": Noun(
-        "motorcycle helmet, knight helmet, knight's helmet; hard hat, viking helmet, bike helmet",
+        "motorcycle helmet, knight helmet, knight's helmet; hard hat, viking helmet, "
+        "bike helmet, bicycle helmet, army helmet, military helmet, space helmet, football helmet, "
+        "construction helmet, safety helmet, racing helmet, crash helmet, firefighter helmet, "
+        "fireman helmet, fire helmet, roman helmet, spartan helmet, samurai helmet, diving helmet",
         {
             "shell": "*9aa1a9 . metal",
             "visor": "-17191d . glass",
@@ -66,7 +69,8 @@ CLOTHES = {
         Usual(0.33, PLASTIC, 0.087),
     ),
     "baseball cap": Noun(
-        "cap, ball cap; visor, trucker hat, snapback, beret",
+        "cap, ball cap; visor, trucker hat, trucker cap, snapback, flat cap, newsboy cap, "
+        "peaked cap, police cap, police hat, deerstalker",
         {
             "cap": "*2a56a8 . fabric",
             "brim": "+c9302a . fabric",
@@ -149,8 +153,8 @@ CLOTHES = {
         Usual(1.2, FABRIC, 0.0087),
     ),
     "wizard hat": Noun(
-        "witch hat, wizard's hat, witch's hat, magic hat; party hat, sorcerer hat, mage "
-        "hat, halloween hat, dunce cap",
+        "witch hat, wizard's hat, witch's hat, magic hat; party hat, birthday hat, "
+        "sorcerer hat, mage hat, halloween hat, dunce cap",
         {
             "body": "*3a2f86 . fabric",
             "ribbon": "+1f1a4a",
@@ -161,7 +165,7 @@ CLOTHES = {
     ),
     "cowboy hat": Noun(
         "stetson; sombrero, fedora, straw hat, sun hat, panama hat, sheriff hat, bucket "
-        "hat, sunhat",
+        "hat, sunhat, fedora hat, trilby, safari hat, pith helmet",
         {"body": "*9a6a3c . fabric", "band": "+4a2a16", "buckle": "-d5d8dc . metal"},
         Usual(0.4, FABRIC, 0.2),
     ),
@@ -182,7 +186,8 @@ CLOTHES = {
         Usual(0.14, GOLD, 0.043),
     ),
     "sunglasses": Noun(
-        "glasses, spectacles, eyeglasses, shades; aviators",
+        "glasses, spectacles, eyeglasses, shades, eye glasses, sun glasses; aviators, reading "
+        "glasses, 3d glasses",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
         Usual(0.16, PLASTIC, 0.16),
     ),

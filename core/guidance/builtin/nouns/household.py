@@ -69,12 +69,13 @@ HOUSEHOLD = {
         Usual(0.2, WAX),
     ),
     "crown": Noun(
-        "; tiara, coronet, diadem",
+        "; tiara, coronet, diadem, flower crown",
         {"band": "*ffc757 . golden", "pearls": "+f4efe6", "gems": "-c21d2b"},
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
-        "top hat; elf hat, clown hat, turban, bonnet",
+        "top hat; elf hat, clown hat, turban, bonnet, bowler hat, bowler, derby hat, fez, jester "
+        "hat, leprechaun hat, graduation cap, graduation hat, mortarboard",
         {"body": "*1c1c20", "ribbon": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),

@@ -33,7 +33,9 @@ NOVELTY_CLOTHES = {
     "beanie": Noun(
         "beanie hat, knitted hat, knit hat, knitted cap, bobble hat, wool hat, woolly hat, "
         "winter hat, woollen hat, woolen hat, pom pom hat, wool cap, winter cap, knit cap; "
-        "toque, ski hat, watch cap, stocking cap",
+        "toque, ski hat, watch cap, stocking cap, beret, santa hat, santa claus hat, "
+        "christmas hat, chef hat, chef cap, nightcap, night cap, sleeping cap, sailor hat, sailor "
+        "cap, ushanka, skullcap, skull cap",
         {
             "cap": "*24607e . fabric",
             "ribs": "*2f7496 . fabric",

@@ -210,6 +210,11 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
     return None, prompt
 
 
+def drawn_in(prompt: str) -> list[tuple[Emblem, int, int]]:
+    """All that may be drawn, and where in the prompt that is said."""
+    return [*_texts(prompt), *_shapes(prompt)]
+
+
 def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The texts, and where in the prompt they are written about."""
     shouted = prompt == prompt.upper()  # all of it in capitals: these say nothing

@@ -155,6 +155,11 @@ _ROWS = {
     # what is worn and driven
     "tuxedo": "black; shirt: white",
     "straw hat, panama hat": "straw",
+    "santa hat, santa claus hat, christmas hat": "red; brim: white; pompom: white",
+    "chef hat, chef cap, sailor hat, sailor cap": "white; brim: white; pompom: white",
+    "leprechaun hat": "green; ribbon: black",
+    "graduation cap, graduation hat, mortarboard, bowler hat, bowler": "black; ribbon: black",
+    "fez": "red; ribbon: black",
     "trash bag, garbage bag, bin bag, rubbish bag": "black",
     "plastic bag": "plastic",
     "paper bag": "paper",

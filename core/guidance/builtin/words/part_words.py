@@ -4,7 +4,8 @@ Standard library only.
 """
 
 from core.errors import UserError
-from core.guidance.builtin.words.vocabulary import Words, parse, words_report
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse, words_report
 
 
 def of_whole(words: str, whole: str) -> str:

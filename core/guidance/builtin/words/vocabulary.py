@@ -9,20 +9,18 @@ that names it, or, where the user asks for that, is left out too.
 Standard library only, so that ``run.py words`` and the panel need not load a network.
 """
 
-from collections.abc import Collection
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from core.errors import UserError
-from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.variants import has_own_look
-from core.guidance.builtin.words.accents import Accent
-from core.guidance.builtin.words.emblems import Emblem, emblems_in
+from core.guidance.builtin.words.companions import Found, Read, companions_in
+from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
-from core.guidance.builtin.words.living import is_animal
-from core.guidance.builtin.words.measures import Size
+from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
@@ -32,93 +30,12 @@ from core.guidance.builtin.words.prompt_errors import (
     unknown_error,
 )
 from core.guidance.builtin.words.reading import Reading
-from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.words import ALSO_OF_FUR, GLASSWARE, PLAIN, WEATHERS
-from core.io.job import SIZES
+from core.guidance.builtin.words.words import GLASSWARE, PLAIN, WEATHERS
 
 DENIM_BLUE = "denim blue"
-
-
-@dataclass(frozen=True)
-class Words:
-    """A parsed prompt, by slot; an empty slot is not stated."""
-
-    noun: str = ""
-    shape: str = ""
-    part: str = ""
-    color: str = ""
-    material: str = ""
-    pattern: str = ""
-    second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
-    target: str = ""  # the part that the second colour is for
-    accents: tuple[Accent, ...] = ()  # what other parts have of their own
-    weather: tuple[str, ...] = ()  # what time has done to it
-    sheen: tuple[str, ...] = ()  # how it shines
-    is_statue: bool = False  # of one material all over, eyes and all
-    kinds: tuple[int, ...] = field(default=(), compare=False)  # of the drawn noun, if not any
-    is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
-    kind_size: float = field(default=0.0, compare=False)  # metres; 0: the thing's own
-    scale: float = field(default=1.0, compare=False)  # of its usual size
-    color_form: str = ""  # the first colour's shade, where that has a name of its own
-    second_form: str = ""
-    material_form: str = field(default="", compare=False)  # the material as it was written
-    size: Size | None = field(default=None, compare=False)
-    absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
-    emblems: tuple[Emblem, ...] = ()  # what is drawn on it
-    notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
-    left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
-
-    def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
-        """Each slot's row in its embedding; 0 is "not stated"."""
-        own = {"noun": solid_of(self.noun)}
-        return [["", *SLOTS[slot]].index(own.get(slot, getattr(self, slot))) for slot in slots]
-
-    def of_parts(self, what: str) -> dict[str, str]:
-        """The "color", the "material", the "sheen" or the "pattern" of each part with its own."""
-        found = {self.target: self.second} if self.target and what == "color" else {}
-        own = {accent.part: getattr(accent, what) for accent in self.accents}
-        return found | {part: word for part, word in own.items() if word}
-
-    def stated_parts(self) -> list[str]:
-        """What the thing is to have, and "no ..." of what it is to lack."""
-        lacked = [f"no {part}" for part in self.absent]
-        return list(dict.fromkeys([*filter(None, [self.part]), *lacked]))
-
-    def usual(self) -> tuple[float, float]:
-        """The thing's usual size in metres, as "small" and the like have it, and its density in
-        kg/m³."""
-        # Of an animal these are colours of its fur.
-        furry = self.material_form in ALSO_OF_FUR and not self.is_statue and is_animal(self.noun)
-        material = "" if furry else self.material
-        size, density = usual(self.noun, material, self.is_toy, self.kind_size)
-        return min(max(round(size * self.scale, 4), SIZES[0]), SIZES[1]), density
-
-    def named_material(self) -> str:
-        """The material as it was written, where it gets its own detail; else its word."""
-        return self.material_form if has_own_look(self.material_form) else self.material
-
-    def part_materials(self) -> dict[str, str]:
-        """The material of each part that has its own, as :meth:`named_material`."""
-        forms = {accent.part: accent.material_form for accent in self.accents}
-        own = self.of_parts("material")
-        return {part: forms[part] if has_own_look(forms[part]) else own[part] for part in own}
-
-    def part_patterns(self) -> dict[str, str]:
-        """The pattern of each part that has its own, and the colour that it is drawn with."""
-        seconds = {accent.part: accent.second_form or accent.second for accent in self.accents}
-        own = self.of_parts("pattern")
-        return {part: " with ".join(filter(None, (own[part], seconds[part]))) for part in own}
-
-    def part_shades(self) -> dict[str, str]:
-        """The colour of each part that has its own, as it was written."""
-        forms = {accent.part: accent.color_form for accent in self.accents}
-        forms |= {self.target: self.second_form}
-        return {part: forms.get(part) or word for part, word in self.of_parts("color").items()}
-
-    def __str__(self) -> str:
-        slots = ("shape", "pattern", "color", "material", "noun")
-        return " ".join(word for slot in slots if (word := getattr(self, slot)))
+ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 
 
 def understood(
@@ -137,27 +54,35 @@ def understood(
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
     usual_m, density = words.usual()
     size_m, side = words.size or (usual_m, "length")
-    second = "" if words.target else words.second_form or words.second
     return {
         "prompt": prompt,
-        "thing": words.noun,
+        **_looks(words),
         "shape": words.shape or None,
         "parts": words.stated_parts(),
-        "colours": [color for color in (words.color_form or words.color, second) if color],
-        "part_colours": words.part_shades(),
-        "part_materials": words.part_materials(),
         "part_sheens": words.of_parts("sheen"),
         "part_patterns": words.part_patterns(),
-        "materials": [words.named_material()] if words.material else [],
-        "pattern": words.pattern or None,
-        "emblems": [str(emblem) for emblem in words.emblems],
         "weather": list(words.weather),
         "sheen": list(words.sheen),
+        "companions": [{"relation": one.relation, **_looks(one.words)} for one in words.companions],
         "size_m": size_m,
         "side": side,
         "density": density,
         "left_out": list(words.left_out),
         "notes": list(words.notes),
+    }
+
+
+def _looks(words: Words) -> dict[str, Any]:
+    """A thing, and how it looks."""
+    second = "" if words.target else words.second_form or words.second
+    return {
+        "thing": words.noun,
+        "colours": [color for color in (words.color_form or words.color, second) if color],
+        "part_colours": words.part_shades(),
+        "materials": [words.named_material()] if words.material else [],
+        "part_materials": words.part_materials(),
+        "pattern": words.pattern or None,
+        "emblems": [str(emblem) for emblem in words.emblems],
     }
 
 
@@ -185,6 +110,37 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
+    companions, rest = _companions(prompt, known, ignore_unknown) if noun_needed else ([], prompt)
+    if companions:
+        try:
+            words = _parse_alone(rest, True, known, ignore_unknown)
+        except UserError:  # what is left is no prompt by itself
+            return _parse_alone(prompt, noun_needed, known, ignore_unknown)
+        return _together(words, companions)
+    return _parse_alone(prompt, noun_needed, known, ignore_unknown)
+
+
+def _companions(prompt: str, known: Vocabulary, ignore_unknown: bool) -> tuple[list[Found], str]:
+    """What else the prompt wants with the thing, and the prompt without it."""
+
+    @cache
+    def read(phrase: str) -> Read | None:
+        try:
+            words = _parse_alone(phrase, True, known, ignore_unknown)
+        except UserError:
+            return None
+        entries = _read(emblems_in(phrase)[1], known, True).found["noun"]
+        return Read(entries[0], words) if entries else None
+
+    @cache
+    def first_of(text: str) -> str:
+        return _read(text, known, True).thing
+
+    return companions_in(prompt, read, first_of)
+
+
+def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
+    """As ``parse``, of a prompt that wants one thing."""
     emblems, rest = emblems_in(prompt) if noun_needed else ((), prompt)
     got = _read(rest, known, noun_needed)
     shapes = {emblem.shape for emblem in emblems if emblem.shape}
@@ -229,6 +185,34 @@ def parse(
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)
+
+
+def _together(words: Words, found: Iterable[Found]) -> Words:
+    """The thing with these others, with what there is to know of them too."""
+    companions = tuple(Companion(one.relation, _matched(words, one)) for one in found)
+    notes = (_about(note, one.words.noun) for one in companions for note in one.words.notes)
+    left_out = (word for one in companions for word in one.words.left_out)
+    return replace(
+        words,
+        companions=companions,
+        notes=tuple(dict.fromkeys((*words.notes, *notes))),
+        left_out=tuple(dict.fromkeys((*words.left_out, *left_out))),
+    )
+
+
+def _matched(first: Words, found: Found) -> Words:
+    """What a statue wears, holds or rides is of its material, where none is stated."""
+    words = found.words
+    joined = found.relation in ("wears", "holds") or is_creature(words.noun)
+    if not (first.is_statue and joined) or words.material or words.color:
+        return words
+    form = first.material_form
+    return replace(words, is_statue=True, material=first.material, material_form=form)
+
+
+def _about(note: str, noun: str) -> str:
+    """A note on another thing than the first, which would be taken for that."""
+    return note.replace(": made ", f": the {noun} is made ") if note.endswith(ITS_SIZE) else note
 
 
 def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:

@@ -1,0 +1,337 @@
+"""Several things as one object: the guidance of "a cat on a cushion", "a corgi wearing a beret".
+
+Each thing is drawn, painted and written on as it is by itself, in its own place (``Placement``).
+What the pictures' network paints of an object with several things is, at each place, what it paints
+of the thing that is there.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Protocol, runtime_checkable
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.appearance.material_ranges import MaterialRanges
+from core.geometry.assembly import Forms, KnownParts
+from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.mesh import Mesh
+from core.geometry.pieces import Piece
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.areas import AreaFields, Field, SolidAreas
+from core.guidance.builtin.composition.arranged import arranged
+from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.words.companions import Relation
+from core.guidance.builtin.words.slots import Words
+from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
+
+ALONE = (
+    "left out, as only what the built-in prior draws itself is made of several things; not a mesh "
+    "of yours, nor what is distilled."
+)
+
+
+@runtime_checkable
+class Thing(Protocol):
+    """The guidance of one thing by itself."""
+
+    words: Words
+    solid: Solid | None
+
+    def of_object(self, seed: int) -> "Thing":
+        """See :class:`PromptedGuidance`, as of all that follow."""
+        ...
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Thing":
+        """In a guide's proportions."""
+        ...
+
+    def start_shape(self) -> Shape | None:
+        """The drawn solid."""
+        ...
+
+    def parts(self) -> KnownParts | None:
+        """The drawn solid's."""
+        ...
+
+    def area_fields(self) -> AreaFields | None:
+        """Its areas, and what is meant by each."""
+        ...
+
+    def areas(self) -> SolidAreas | None:
+        """The same on a lattice."""
+        ...
+
+    def ranges(self) -> MaterialRanges:
+        """Of all its parts."""
+        ...
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Of all its parts."""
+        ...
+
+    def left_out(self) -> tuple[str, ...]:
+        """Notes."""
+        ...
+
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """Pictures of the thing made crisp."""
+        ...
+
+    def predict(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        views: Views,
+        *,
+        cond_only: bool = False,
+        apart: bool = False,
+    ) -> Predictions:
+        """Of pictures of the thing."""
+        ...
+
+
+class Composed(PromptedGuidance):
+    """The guidance of a thing and its companions; of the thing alone until they are drawn."""
+
+    def __init__(
+        self,
+        guidance: Guidance,
+        things: Sequence[Thing],
+        relations: Sequence[Relation],
+        placements: Sequence[Placement] = (),
+    ) -> None:
+        """
+        Args:
+            things: the first one, and its companions.
+            relations: of the first to each companion.
+            placements: of all things, once they are drawn.
+        """
+        super().__init__(guidance)
+        self.things, self.relations, self.placements = things, relations, placements
+
+    def of_object(self, seed: int, whole: bool = True) -> "Composed":
+        """All things drawn and put together; the first alone where not ``whole``."""
+        if not whole:
+            first = self.things[0].of_object(seed)
+            return Composed(self._guidance, [first, *self.things[1:]], self.relations)
+        drawn = [thing.of_object(seed) for thing in self.things]
+        bodies = [Body.of(thing.words, thing.solid) for thing in drawn if thing.solid]
+        if len(bodies) < len(drawn):  # of weights without solids
+            return self
+        placed = arranged(bodies[0], list(zip(self.relations, bodies[1:], strict=True)))
+        return Composed(self._guidance, drawn, self.relations, placed)
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
+        """The first thing alone: a guide is of one thing."""
+        first = self.things[0].in_proportion(guide, strength, least)
+        return Composed(self._guidance, [first, *self.things[1:]], self.relations)
+
+    def grown(self) -> float:
+        """How many times as long as the first thing the whole is."""
+        if not self.placements:
+            return 1.0
+        placed = list(zip(self._bodies, self.placements, strict=True))
+        each = [body.placed(place) for body, place in placed]
+        verts = torch.cat([body.verts for body in each])
+        return float((verts.amax(0) - verts.amin(0)).max()) / each[0].longest
+
+    def start_shape(self) -> Shape | None:
+        """The drawn things together."""
+        if not self.placements:
+            return self.things[0].start_shape()
+        verts, faces, count = [], [], 0
+        for thing, place in self._placed:
+            assert thing.solid is not None
+            own, corners = thing.solid.mesh
+            verts.append(place.out(own))
+            faces.append(corners + count)
+            count += len(own)
+        points, corners = torch.cat(verts), torch.cat(faces)
+        parts = self.parts()
+        assert parts is not None
+        return Shape(
+            lambda at: parts.distances(at).amin(1),
+            lambda some, generator: sample_surface(points, corners, some, generator),
+        )
+
+    def parts(self) -> KnownParts | None:
+        """All things', the first's first."""
+        if not self.placements:
+            return self.things[0].parts()
+        return self._parts
+
+    def areas(self) -> SolidAreas | None:
+        """All things', the first's first."""
+        if not self.placements:
+            return self.things[0].areas()
+        fields = [thing.area_fields() for thing, _ in self._placed]
+        known = [one for one in fields if one is not None]
+        drawn = composed_field([one.drawn for one in known], self.placements)
+        near = composed_field([one.near for one in known], self.placements)
+        return SolidAreas(drawn, tuple(area for one in known for area in one.each), near)
+
+    def ranges(self) -> MaterialRanges:
+        """Of all parts of all things."""
+        each = [thing.ranges() for thing in self._here]
+        rough, metal = ([getattr(one, n) for one in each] for n in ("roughness", "metallic"))
+        spans = [(min(low for low, _ in of), max(high for _, high in of)) for of in (rough, metal)]
+        return MaterialRanges(*spans)
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Of all parts of all things."""
+        return tuple(dict.fromkeys(one for thing in self._here for one in thing.surfaces()))
+
+    def left_out(self) -> tuple[str, ...]:
+        """The things' own notes, and one on each companion that is not there."""
+        own = tuple(text for thing in self._here for text in thing.left_out())
+        gone = self.things[len(self._here) :]
+        return own + tuple(f"{thing.words.noun}: {ALONE}" for thing in gone)
+
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """As the first thing's; nothing is restored of several, which are exact as they are."""
+        return None if self.placements else self.things[0].restore(pictures, views)
+
+    @torch.no_grad()
+    def predict(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        views: Views,
+        *,
+        cond_only: bool = False,
+        apart: bool = False,
+    ) -> Predictions:
+        """At each place of the surface the prediction of the thing that is there."""
+        options = {"cond_only": cond_only, "apart": apart}
+        surface = views.surface
+        if not self.placements or surface is None:
+            return self.things[0].predict(z_t, t, views, **options)
+        surface = torch.nn.functional.adaptive_avg_pool2d(surface, self.latent_size)
+        found = [
+            thing.predict(z_t, t, Views(views.cameras, _seen_from(surface, place)), **options)
+            for thing, place in self._placed
+        ]
+        owner = self._owner(surface)[:, None]
+        first, *others = found
+        for index, other in enumerate(others, 1):
+            mine = owner == index
+            both = zip(first[:2], other[:2], strict=True)
+            cond, uncond = (b if a is None or b is None else b.where(mine, a) for a, b in both)
+            negative = first.negative
+            if negative is not None and other.negative is not None:
+                negative = other.negative.where(mine, negative)
+            assert cond is not None
+            first = first._replace(cond=cond, uncond=uncond, negative=negative)
+        return first
+
+    def _owner(self, surface: Float[Tensor, "b 7 s s"]) -> Int[Tensor, "b s s"]:
+        """The thing at each place of the pictures; the first where nothing is."""
+        assert self._parts is not None
+        seen = surface[:, 3] > -1
+        covered = (surface[:, 3] + 1) / 2
+        points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
+        owner = torch.zeros_like(seen, dtype=torch.long)
+        owner[seen] = self._parts.thing(points[seen])
+        return owner
+
+    @property
+    def _here(self) -> Sequence[Thing]:
+        return self.things if self.placements else self.things[:1]
+
+    @property
+    def _placed(self) -> list[tuple[Thing, Placement]]:
+        return list(zip(self.things, self.placements, strict=True))
+
+    @cached_property
+    def _bodies(self) -> list[Body]:
+        return [Body.of(thing.words, thing.solid) for thing in self.things if thing.solid]
+
+    @cached_property
+    def _parts(self) -> "ComposedParts":
+        known = [(thing.parts(), place) for thing, place in self._placed]
+        return ComposedParts([(parts, place) for parts, place in known if parts is not None])
+
+
+class ComposedParts(KnownParts):
+    """The parts of several things, each thing in its place."""
+
+    def __init__(self, placed: Sequence[tuple[KnownParts, Placement]]) -> None:
+        self.placed = placed
+        each = [parts.forms for parts, _ in placed]
+        flat = tuple(share for forms in each for share in forms.flat)
+        around = tuple(tuple(x for forms in each for x in forms.round[axis]) for axis in range(3))
+        counts = [len(forms.flat) for forms in each]
+        starts = [sum(counts[:k]) for k in range(len(counts))]
+        cornered = [k + at for forms, at in zip(each, starts, strict=True) for k in forms.cornered]
+        super().__init__(self._distances, Forms(flat, around, cornered))
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """Each thing's, as it is by itself."""
+        return [piece for parts, _ in self.placed for piece in parts.pieces]
+
+    def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
+        """A piece's surface in its place."""
+        for parts, place in self.placed:
+            if index < len(parts.pieces):
+                verts, faces = parts.surface_of(index, exact)
+                return place.out(verts), faces
+            index -= len(parts.pieces)
+        raise IndexError(index)
+
+    def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances from their exact surfaces."""
+        found = [parts.near(place.into(points)) * place.scale for parts, place in self.placed]
+        return torch.cat(found, 1)
+
+    def thing(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The thing that each point is of."""
+        return torch.stack([each.amin(1) for each in self._each(points)], 1).argmin(1)
+
+    def _distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        return torch.cat(self._each(points), 1)
+
+    def _each(self, points: Float[Tensor, "n 3"]) -> list[Float[Tensor, "n p"]]:
+        found = []
+        for parts, place in self.placed:
+            own, beyond = within_cube(place.into(points))
+            known = parts.distances(own)[:, : len(parts.forms.flat)]
+            found.append((known + beyond[:, None]) * place.scale)
+        return found
+
+
+def within_cube(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, "n 3"], Float[Tensor, " n"]]:
+    """The nearest points that a thing's network knows, and how far off they are."""
+    own = points.clamp(-EXTENT, EXTENT)
+    return own, (points - own).norm(dim=1)
+
+
+def composed_field(fields: Sequence[Field], placements: Sequence[Placement]) -> Field:
+    """The areas of all things, from those of each."""
+
+    def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
+        distances, depths = [], []
+        for field, place in zip(fields, placements, strict=True):
+            own, beyond = within_cube(place.into(points))
+            distance, depth = field(own)
+            distances.append((distance + beyond) * place.scale)
+            depths.append((depth - beyond[:, None]) * place.scale)
+        return torch.stack(distances, 1).amin(1), torch.cat(depths, 1)
+
+    return at
+
+
+def _seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
+    """The pictures' normals and points as the thing at a placement knows them."""
+    rows = surface.permute(0, 2, 3, 1)
+    normals, mask, points = rows[..., :3], rows[..., 3:4], rows[..., 4:]
+    turn, shift = place.turn.to(surface), place.shift.to(surface)
+    points = (points - shift * (mask + 1) / 2) @ turn / place.scale  # they are weighted by coverage
+    return torch.cat([normals @ turn, mask, points], -1).permute(0, 3, 1, 2)

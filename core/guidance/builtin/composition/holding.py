@@ -1,0 +1,117 @@
+"""What is held: in a hand, before the chest, or in the mouth."""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.composition.wearing import NO_HEAD
+from core.guidance.builtin.nouns import GROUPS
+
+HELD = (0.22, 0.85)  # of the holder's longest side
+SLENDER, LONG = 2.2, 1.25  # times as long as it is wide: along its grip; across a mouth
+AT_CHEST, AT_MOUTH = 0.6, 0.42  # of the holder's longest side, at most
+HANDED = frozenset(GROUPS["Characters"]) | frozenset("person knight alien robot skeleton".split())
+CLAWED = {"crab": "claws", "lobster": "claws", "scorpion": "claws"}
+# What hangs on its grip or stands up from it, in a mouth too.
+RAISED = frozenset("umbrella balloon torch candle lantern signpost".split())
+RAISED |= frozenset(GROUPS["Flags and Signs"]) | {"flag", "stop sign", "kite"}
+GRIPS = "string handle grip hilt handles shaft stick pole stem neck post rod".split()
+GRIPPED = 0.2  # of what has no grip, from its lower end
+ARM = (0.25, 0.75)  # of a figure's height: where the hand is
+OUT = 0.82  # of the way to the side, from which on it is the arm
+CHEST = 0.42  # of the height
+UPRIGHT = 1.1  # times as high as long
+SUNK = 0.03
+SIDEWAYS = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x
+ACROSS = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # y to -x
+
+
+def held(item: Body, holder: Body) -> Placement:
+    """Where what is held is."""
+    noun = holder.words.noun
+    if noun in HANDED or noun in CLAWED:
+        return _in_hand(item, holder)
+    if holder.sides[2] > UPRIGHT * holder.sides[1]:
+        return _before_chest(item, holder)
+    return _in_mouth(item, holder)
+
+
+def _in_hand(item: Body, holder: Body) -> Placement:
+    place = Placement.of(sized(item, holder, *HELD))
+    there = item.placed(place)
+    hand = _hand(holder)
+    if _along(there) == 2:  # a staff, a sword: upright, by its grip
+        return place.moved(hand - _grip(there))
+    middle = there.box.mean(0)
+    back = torch.stack([middle[0], there.box[1, 1], middle[2]])
+    return place.moved(hand + torch.tensor([0.0, SUNK, 0.0]) - back)
+
+
+def _hand(holder: Body) -> Float[Tensor, " 3"]:
+    """The front of a hand: of the holder's right one, on the left of the picture."""
+    claws = CLAWED.get(holder.words.noun)
+    if claws:
+        found = holder.of_parts(claws)
+        mine = found[found[:, 0] < found[:, 0].mean()]
+        tip = mine[mine[:, 1] <= mine[:, 1].quantile(0.1)]
+        return tip.mean(0)
+    rest = holder.without(*NO_HEAD)
+    low, high = (float(holder.box[0, 2] + share * holder.sides[2]) for share in ARM)
+    arms = rest[(rest[:, 2] > low) & (rest[:, 2] < high)]
+    if not len(arms):
+        arms = rest
+    side = arms[arms[:, 0] < OUT * arms[:, 0].amin()]
+    side = side if len(side) else arms
+    lowest = side[side[:, 2] <= side[:, 2].quantile(0.2)]
+    x, z = float(lowest[:, 0].mean()), float(lowest[:, 2].mean())
+    return torch.tensor([x, float(lowest[:, 1].amin()), z])
+
+
+def _grip(item: Body) -> Float[Tensor, " 3"]:
+    grip = item.of_parts(*GRIPS)
+    if len(grip) and (grip.amax(0) - grip.amin(0))[2] < 0.5 * item.sides[2]:
+        return (grip.amin(0) + grip.amax(0)) / 2
+    middle = item.box.mean(0)
+    return torch.stack([middle[0], middle[1], item.box[0, 2] + GRIPPED * item.sides[2]])
+
+
+def _along(item: Body, times: float = SLENDER) -> int:
+    """The axis that a thing is along, ``times`` as long as along the others; -1 if it is not."""
+    order = item.sides.argsort()
+    slender = item.sides[order[2]] > times * item.sides[order[1]]
+    return int(order[2]) if slender else -1
+
+
+def _before_chest(item: Body, holder: Body) -> Placement:
+    place = Placement.of(sized(item, holder, HELD[0], AT_CHEST))
+    there = item.placed(place)
+    z = float(holder.box[0, 2] + CHEST * holder.sides[2])
+    half = 0.3 * float(there.sides[2])
+    near = holder.verts[
+        ((holder.verts[:, 2] - z).abs() < max(half, 0.05))
+        & (holder.verts[:, 0].abs() < 0.2 * holder.sides[0])
+    ]
+    front = float(near[:, 1].amin()) if len(near) else float(holder.box[0, 1])
+    middle = there.box.mean(0)
+    back = torch.stack([middle[0], there.box[1, 1], middle[2]])
+    return place.moved(torch.tensor([0.0, front + SUNK, z]) - back)
+
+
+def _in_mouth(item: Body, holder: Body) -> Placement:
+    if item.words.noun in RAISED:
+        place = Placement.of(sized(item, holder, HELD[0], HELD[1]))
+        return place.moved(_mouth(holder) - _grip(item.placed(place)))
+    turn = {2: SIDEWAYS, 1: ACROSS}.get(_along(item, LONG), torch.eye(3))
+    turned = item.placed(Placement.of(1.0, turn))
+    place = Placement.of(1.0, turn)
+    place = place.then(sized(turned, holder, HELD[0], AT_MOUTH), torch.zeros(3))
+    there = item.placed(place)
+    return place.moved(_mouth(holder) - there.box.mean(0))
+
+
+def _mouth(holder: Body) -> Float[Tensor, " 3"]:
+    """What is foremost of the head."""
+    rest = holder.without(*NO_HEAD)
+    front = rest[rest[:, 1] <= rest[:, 1].amin() + 0.06 * holder.sides[1]]
+    return (front.amin(0) + front.amax(0)) / 2

@@ -1,0 +1,112 @@
+"""Where a thing of a composition lies, and what is known of its form when it is placed."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.guidance.builtin.palette import looks
+from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.words.slots import Words
+
+EYES = ("eyes", "whites", "glasses", "visor")
+NEAR = 0.03  # training units
+
+
+@dataclass(frozen=True)
+class Placement:
+    """From a thing's own points to the composition's: scale * turn @ p + shift."""
+
+    scale: float
+    shift: Float[Tensor, " 3"]
+    turn: Float[Tensor, "3 3"]  # a rotation
+
+    @classmethod
+    def of(cls, scale: float = 1.0, turn: Float[Tensor, "3 3"] | None = None) -> "Placement":
+        """About the origin."""
+        return cls(scale, torch.zeros(3), torch.eye(3) if turn is None else turn)
+
+    def moved(self, shift: Float[Tensor, " 3"]) -> "Placement":
+        """Farther by ``shift``."""
+        return replace(self, shift=self.shift + shift)
+
+    def then(self, scale: float, shift: Float[Tensor, " 3"]) -> "Placement":
+        """Scaled about the origin, then moved."""
+        return Placement(self.scale * scale, self.shift * scale + shift, self.turn)
+
+    def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """The thing's own points where they come to lie."""
+        return self.scale * points @ self.turn.T.to(points) + self.shift.to(points)
+
+    def into(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the composition as the thing knows them."""
+        return (points - self.shift.to(points)) @ self.turn.to(points) / self.scale
+
+
+@dataclass(frozen=True)
+class Body:
+    """A drawn thing as points of its surface, about evenly spread, and what part each is of."""
+
+    words: Words
+    verts: Float[Tensor, "v 3"]
+    faces: Int[Tensor, "f 3"]
+    part: Int[Tensor, " v"]
+
+    @classmethod
+    def of(cls, words: Words, solid: Solid) -> "Body":
+        """As the thing's network has it."""
+        verts, faces = (of.cpu() for of in solid.mesh)
+        distances = solid.distances(verts)
+        part = distances.argmin(1)
+        # What lies in a face, such as a figure's eyes, has no vertex of its own.
+        for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
+            part[distances[:, small] < NEAR] = small
+        return cls(words, verts, faces, part)
+
+    def placed(self, placement: Placement) -> "Body":
+        """The thing there."""
+        return replace(self, verts=placement.out(self.verts))
+
+    @cached_property
+    def box(self) -> Float[Tensor, "2 3"]:
+        """Its lowest and highest corner."""
+        return torch.stack([self.verts.amin(0), self.verts.amax(0)])
+
+    @property
+    def sides(self) -> Float[Tensor, " 3"]:
+        """The box's, along x, y, z."""
+        return self.box[1] - self.box[0]
+
+    @property
+    def longest(self) -> float:
+        """The longest of its sides."""
+        return float(self.sides.max())
+
+    @property
+    def usual(self) -> float:
+        """How long the longest is, in metres."""
+        size = self.words.size
+        return size.longest(self.sides.tolist()) if size else self.words.usual()[0]
+
+    def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
+        """The points of parts of these names."""
+        return self.verts[self._among(names)]
+
+    def without(self, *names: str) -> Float[Tensor, "n 3"]:
+        """The points of all other parts; of all, if there are no others."""
+        rest = self.verts[~self._among(names)]
+        return rest if len(rest) else self.verts
+
+    def _among(self, names: tuple[str, ...]) -> Tensor:
+        rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
+        return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
+
+
+def sized(thing: Body, other: Body, least: float, most: float) -> float:
+    """The factor on ``thing`` by which it and ``other`` are as large as they usually are to each
+    other; its longest side is ``least`` to ``most`` times the other's, or a thing would not be
+    seen."""
+    wanted = min(max(thing.usual / other.usual, least), most)
+    return wanted * other.longest / thing.longest

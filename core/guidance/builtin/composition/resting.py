@@ -1,0 +1,185 @@
+"""One thing on another, or in it."""
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.init_shape import sample_surface
+from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.words.living import is_animal
+
+CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
+FOOT = 0.08  # of a thing's height: what is lower stands on something
+OVER = 0.45  # of a support's half width, at most, that a foot is taken to be wide
+PLACES = 9  # along a side, that a thing may be put
+# Of a thing's feet: the share that is over ground, at least, if it is to stand there; that touches.
+STANDING, TOUCHING = 0.3, 0.3
+LEVEL = 0.8  # quantile of the heights under a foot that it rests on
+# What a place costs: for each unit of height by which the ground under the foot differs; for each
+# share of the foot without ground; for each unit off the middle; for what stands in the way.
+UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
+SUNK = 0.02  # training units, by which what rests goes into what is under it
+ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
+IN = 0.45  # of the lower one's height: how deep a thing is in another
+ROOM = 1.1  # of a thing's lower half, that a container is at least wide
+WIDEST = 0.7  # of what bears a thing, that it is at most wide
+# Of the other's longest side: the least and the most that one's may be.
+SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
+LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
+MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
+TILTED = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # z to -y
+QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # about z
+
+
+def under(thing: Body, support: Body) -> Placement:
+    """Where the support of ``thing`` is."""
+    place = _levelled(thing, support)
+    sizes = MOUNT if _is_mount(support) else SUPPORT
+    lying = support.placed(place)
+    place = place.then(sized(lying, thing, *sizes), torch.zeros(3))
+    below = support.placed(place)
+    spot = _spot(thing, below)
+    sunk = ASTRIDE * float(thing.sides[2]) if _rides(thing, support) else SUNK
+    return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, sunk]))
+
+
+def around(thing: Body, container: Body) -> Placement:
+    """Where the container of ``thing`` is."""
+    if container.words.noun in GROUPS["Vehicles"]:  # on its deck or its seats
+        place = under(thing, container)
+        return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
+    scale = sized(container, thing, *CONTAINER)
+    middle = float(thing.box[0, 2] + thing.sides[2] / 2)
+    lower = thing.verts[thing.verts[:, 2] < middle]
+    wide = ROOM * (lower.amax(0) - lower.amin(0))[:2] / container.sides[:2]
+    place = Placement.of(max(scale, float(wide.max())))
+    there = container.placed(place)
+    depth = IN * min(float(thing.sides[2]), float(there.sides[2]))
+    spot = _middle_top(there)
+    return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, depth]))
+
+
+def upon(thing: Body, carrier: Body) -> Placement:
+    """Where ``thing`` is that the carrier bears on top of itself."""
+    wide = WIDEST * carrier.sides[:2].max() / thing.sides[:2].max()
+    place = Placement.of(min(sized(thing, carrier, *BORNE), float(wide)))
+    borne = thing.placed(place)
+    return place.moved(_spot(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
+
+
+def _is_mount(support: Body) -> bool:
+    noun = support.words.noun
+    return is_animal(noun) or noun in MOUNTS or noun in GROUPS["Vehicles"]
+
+
+def _rides(thing: Body, support: Body) -> bool:
+    noun = support.words.noun
+    stands = thing.sides[2] > thing.sides[:2].max()
+    return bool(stands) and (is_animal(noun) or noun in MOUNTS)
+
+
+def _levelled(thing: Body, support: Body) -> Placement:
+    """The support as it lies under a thing: a board flat, and what is long as the thing is."""
+    turn = torch.eye(3)
+    flat = support.words.noun in LYING and support.sides[2] > support.sides[:2].min()
+    if flat:
+        turn = TILTED @ turn
+    sides = support.placed(Placement.of(1.0, turn)).sides
+    own = thing.sides
+    if support.words.noun in LYING and (sides[0] > sides[1]) != (own[0] > own[1]):
+        turn = QUARTER @ turn
+    return Placement.of(1.0, turn)
+
+
+def _foot(thing: Body) -> Float[Tensor, " 3"]:
+    """The middle of what a thing stands on."""
+    low, high = _foot_box(thing)
+    return torch.cat([(low + high)[:2] / 2, thing.box[0, 2:]])
+
+
+def _foot_box(thing: Body) -> Float[Tensor, "2 3"]:
+    lowest = thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]
+    foot = thing.verts[lowest]
+    return torch.stack([foot.amin(0), foot.amax(0)])
+
+
+def _middle_top(body: Body) -> Float[Tensor, " 3"]:
+    middle = body.box.mean(0)
+    return torch.stack([middle[0], middle[1], body.box[1, 2]])
+
+
+def _spot(thing: Body, support: Body) -> Float[Tensor, " 3"]:
+    """Where on the support the thing stands best: level, wide enough, near the middle."""
+    heights = height_map(support)
+    low, sides = support.box[0], support.sides
+    cell = sides[:2] / CELLS
+    foot = (_foot_box(thing)[1] - _foot_box(thing)[0])[:2] / 2
+    foot = foot.minimum(OVER * sides[:2]) / cell
+    whole = (thing.sides[:2] / 2).minimum(sides[:2] / 2) / cell
+    found = []
+    for i in range(PLACES):
+        for j in range(PLACES):
+            at = torch.tensor([i + 0.5, j + 0.5]) / PLACES * CELLS
+            ground, rest, cost = _ground(heights, at, foot)
+            if not ground:
+                continue
+            around, *_ = _window(heights, at, whole)
+            cost += IN_THE_WAY * float((around - rest - SUNK).clamp_min(0).nan_to_num().mean())
+            cost += OFF_MIDDLE * float((((at / CELLS) - 0.5) * sides[:2]).norm())
+            found.append((cost, *(low[:2] + at * cell).tolist(), rest))
+    if not found:
+        return _middle_top(support)
+    _, x, y, z = min(found)
+    spot = torch.tensor([x, y, z])
+    return spot - torch.tensor([0.0, 0.0, _clearance(thing, spot, support, heights)])
+
+
+def _clearance(
+    thing: Body, spot: Float[Tensor, " 3"], support: Body, heights: Float[Tensor, "c c"]
+) -> float:
+    """How far above the ground most of a thing's feet are, when it is put at a spot: of a bulging
+    cushion the middle is higher than what is under a cat's feet."""
+    foot = thing.verts[thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]]
+    foot = foot - _foot(thing) + spot
+    cell = support.sides[:2] / CELLS
+    i, j = ((foot[:, :2] - support.box[0, :2]) / cell).long().T
+    over = (i >= 0) & (i < CELLS) & (j >= 0) & (j < CELLS)
+    above = foot[over, 2] - heights[i[over], j[over]]
+    above = above[~above.isnan()]
+    if len(above) < STANDING * len(foot):
+        return 0.0
+    return max(float(above.quantile(TOUCHING)), 0.0)
+
+
+def _ground(
+    heights: Float[Tensor, "c c"], at: Float[Tensor, " 2"], half: Float[Tensor, " 2"]
+) -> tuple[bool, float, float]:
+    """Whether there is ground in a window, at what height a foot rests there, and what is to be
+    said against it."""
+    window = _window(heights, at, half)
+    known = window[~window.isnan()]
+    if not len(known):
+        return False, 0.0, 0.0
+    rest = float(known.quantile(LEVEL))
+    uneven = rest - float(known.quantile(1 - LEVEL))
+    return True, rest, UNEVEN * uneven + NO_GROUND * (1 - len(known) / window.numel())
+
+
+def _window(
+    heights: Float[Tensor, "c c"], at: Float[Tensor, " 2"], half: Float[Tensor, " 2"]
+) -> Float[Tensor, "a b"]:
+    low = (at - half).floor().long().clamp(0, CELLS - 1)
+    high = (at + half).ceil().long().clamp(1, CELLS)
+    high = torch.maximum(high, low + 1)
+    return heights[low[0] : high[0], low[1] : high[1]]
+
+
+def height_map(body: Body) -> Float[Tensor, "c c"]:
+    """The highest point of the surface over each cell of the box, by x and y; NaN where none is."""
+    cell = body.sides[:2].clamp_min(1e-6) / CELLS
+    points = sample_surface(body.verts, body.faces, SAMPLES, torch.Generator().manual_seed(0))
+    at = ((points[:, :2] - body.box[0, :2]) / cell).long().clamp(0, CELLS - 1)
+    heights = torch.full((CELLS * CELLS,), -torch.inf)
+    heights = heights.scatter_reduce(0, at[:, 0] * CELLS + at[:, 1], points[:, 2], "amax")
+    return heights.masked_fill(heights.isinf(), torch.nan).view(CELLS, CELLS)

@@ -1,0 +1,133 @@
+"""What is worn on a head, over the eyes or around the neck."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.composition.placement import EYES, Body, Placement
+from core.guidance.builtin.palette import looks
+from core.guidance.builtin.words.companion_words import AROUND_NECKS, EYEWEAR, HEADWEAR
+from core.guidance.builtin.words.companions import Relation
+from core.guidance.builtin.words.slots import Words
+
+OWN_HATS = "hat", "crown", "helmet"  # parts, which a thing takes off for another one
+MASK = "gas mask"
+# What stands out of a head and is not part of its width.
+NO_HEAD = tuple(
+    """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
+    arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem
+    leaves""".split()
+)
+# Of the head's width: a hat's crown, glasses, a mask, a bow tie.
+HAT, GLASSES, MASKED, TIE = 1.04, 1.06, 0.8, 0.55
+BAND = (0.25, 0.5)  # of a hat's height: where it is as wide as the head that it is made for
+HAT_SINKS = 0.32, 0.5  # of the head's width, of the hat's own height, at most
+EYES_HIGH = 0.3  # training units, at most
+# Where a thing has no eyes, its head: of its height; of its width, at most.
+TOP, CAPPED = 0.12, 0.6
+SUNK = 0.02
+
+
+class Head(NamedTuple):
+    """Where a head is, as a ball about."""
+
+    middle: Float[Tensor, " 3"]
+    wide: float
+    top: float
+    front: float  # y of what is foremost of the eyes
+    eyes: float  # z
+
+
+def worn(item: Body, wearer: Body) -> Placement:
+    """Where what is worn is."""
+    noun, head = item.words.noun, head_of(wearer)
+    if noun in EYEWEAR or noun == MASK:
+        by = GLASSES if noun in EYEWEAR else MASKED
+        place = Placement.of(by * head.wide / float(item.sides[0]))
+        there = item.placed(place)
+        middle = there.box.mean(0)
+        at = torch.tensor([head.middle[0], head.front - SUNK, head.eyes])
+        return place.moved(at - torch.stack([middle[0], there.box[0, 1], middle[2]]))
+    if noun in AROUND_NECKS:
+        return _at_neck(item, wearer, head)
+    return _on_head(item, head)
+
+
+def _on_head(hat: Body, head: Head) -> Placement:
+    low, high = (float(hat.box[0, 2] + share * hat.sides[2]) for share in BAND)
+    band = hat.verts[(hat.verts[:, 2] > low) & (hat.verts[:, 2] < high)]
+    crown = float(band[:, 0].amax() - band[:, 0].amin()) if len(band) else float(hat.sides[0])
+    place = Placement.of(HAT * head.wide / crown)
+    there = hat.placed(place)
+    within = there.verts[there.verts[:, 2] < there.box[0, 2] + BAND[1] * there.sides[2]]
+    middle = (within.amin(0) + within.amax(0)) / 2
+    sunk = min(HAT_SINKS[0] * head.wide, HAT_SINKS[1] * float(there.sides[2]))
+    at = torch.tensor([head.middle[0], head.middle[1], head.top - sunk])
+    return place.moved(at - torch.stack([middle[0], middle[1], there.box[0, 2]]))
+
+
+def _at_neck(tie: Body, wearer: Body, head: Head) -> Placement:
+    place = Placement.of(TIE * head.wide / float(tie.sides[0]))
+    there = tie.placed(place)
+    z = head.eyes - (head.top - head.eyes) - 0.12 * head.wide
+    near = wearer.verts[
+        ((wearer.verts[:, 2] - z).abs() < 0.12 * head.wide)
+        & ((wearer.verts[:, 0] - head.middle[0]).abs() < 0.3 * head.wide)
+    ]
+    front = float(near[:, 1].amin()) if len(near) else head.front
+    middle = there.box.mean(0)
+    at = torch.tensor([float(head.middle[0]), front + SUNK, z])
+    return place.moved(at - torch.stack([middle[0], there.box[1, 1], middle[2]]))
+
+
+def head_of(body: Body) -> Head:
+    """The head by the eyes; of what has none the top."""
+    eyes = body.of_parts(*EYES)
+    rest = body.without(*NO_HEAD)
+    if not len(eyes):
+        return _top_of(body, rest)
+    eyes = eyes[eyes[:, 2] > eyes[:, 2].amax() - EYES_HIGH]  # not a robot's panel
+    low, high = eyes.amin(0), eyes.amax(0)
+    middle = (low + high) / 2
+    apart = float(high[0] - low[0])
+    # As wide as the surface at the eyes' height, behind them.
+    wide = apart
+    for _ in range(3):
+        slab = rest[
+            ((rest[:, 2] - middle[2]).abs() < 0.25 * wide)
+            & (rest[:, 1] < middle[1] + 1.1 * wide)
+            & ((rest[:, 0] - middle[0]).abs() < 1.6 * wide)
+        ]
+        if len(slab):
+            wide = max(apart, float(slab[:, 0].amax() - slab[:, 0].amin()))
+    above = rest[
+        ((rest[:, 0] - middle[0]).abs() < 0.35 * wide)
+        & (rest[:, 1] > middle[1] - 0.3 * wide)
+        & (rest[:, 1] < middle[1] + 1.0 * wide)
+        & (rest[:, 2] > middle[2])
+    ]
+    top = float(above[:, 2].amax()) if len(above) else float(high[2])
+    over = above[above[:, 2] > middle[2] + 0.4 * (top - float(middle[2]))] if len(above) else eyes
+    y = float(over[:, 1].amin() + over[:, 1].amax()) / 2
+    at = torch.tensor([float(middle[0]), y, float(middle[2])])
+    return Head(at, wide, top, float(low[1]), float(middle[2]))
+
+
+def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
+    top = float(rest[:, 2].amax())
+    high = rest[rest[:, 2] > top - TOP * float(body.sides[2])]
+    middle = (high.amin(0) + high.amax(0)) / 2
+    wide = float(torch.minimum(high.amax(0) - high.amin(0), CAPPED * body.sides)[:2].min())
+    eyes = top - 0.4 * wide
+    return Head(middle, wide, top, float(high[:, 1].amin()), eyes)
+
+
+def bareheaded(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
+    """``words`` without a hat of the thing's own, where it wears another."""
+    wears = any(how == "wears" and other.noun in HEADWEAR for how, other in relations)
+    own = [name for name in looks(words.noun) if wears and name in OWN_HATS]
+    return replace(words, absent=(*words.absent, *own))

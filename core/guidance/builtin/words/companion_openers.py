@@ -1,0 +1,131 @@
+"""Where a prompt begins to speak of another thing than the first, and what that is.
+
+Standard library only.
+"""
+
+import re
+from typing import Literal, NamedTuple
+
+from core.guidance.builtin.words.lexicon import SLOTS, look_up
+from core.guidance.builtin.words.tokens import DOING, LONGEST
+
+# What the first thing does to the other: it is on it or in it, wears it or holds it, or bears it on
+# top of itself.
+Relation = Literal["on", "in", "wears", "holds", "bears"]
+TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
+
+
+class Opener(NamedTuple):
+    """What says how the thing is with the other, and where in the prompt."""
+
+    relation: Relation
+    start: int
+    end: int
+    verb: str = ""
+    weak: bool = False  # "with" and "in" say it of what is worn alone
+
+
+_BEING = r"(?:(?:who|that|which) )?(?:(?:is|are|was|were) )?"
+_HOW = (
+    "(?:up|down|upright|still|together|upside down|comfortably|back|around|peacefully|proudly|"
+    "quietly|[a-z]{3,}ly)"
+)
+_POSTURE = (
+    r"(?:[a-z]{3,}ing|sits|stands|lies|sleeps|rests|perched|seated|laid|placed|mounted|balanced|"
+    r"curled|parked|set|propped|planted|potted|settled|nestled|tucked|hidden|stuffed|asleep|served|"
+    r"poised|stranded|dozing)"
+)
+_DOING = (
+    rf"(?:(?:[a-z]{{3,}}ly )?(?:(?P<first>{_POSTURE})(?: {_HOW})* )?"
+    rf"(?P<doing>{_POSTURE})(?: {_HOW})* )?"
+)
+# "On its side" says how it lies, "on it" and "on top" what is on it.
+_NOT_IT = (
+    r"(?!(?:it|them|itself|top|each|both|one side|all|fire|wheels|display|sale)\b|(?:the|its|his|"
+    r"her|their|each|one) (?:\w+ )?(?:sides?|front|back|top|bottom|lid|inside|outside|ends?|"
+    r"corners?|face|hind legs|left|right|cover|label|rim|head|handle|body|surface|edges?)\b)"
+)
+_HOLDING = (
+    "holding|holds|carrying|carries|wielding|wields|clutching|clutches|gripping|grasping|grabbing|"
+    "brandishing|waving|hugging|lifting|raising|swinging|presenting|offering|armed with|"
+    "hold"
+)
+_RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
+    (
+        "on",
+        rf"{_BEING}(?P<verb>riding|rides|driving|drives)(?: around)?"
+        r"(?: (?:on top of|on|in|atop))? ",
+        False,
+    ),
+    (
+        "on",
+        rf"{_BEING}{_DOING}(?:right )?(?:on top of|ontop of|on|upon|atop of|atop|onto) {_NOT_IT}",
+        False,
+    ),
+    ("wears", rf"{_BEING}(?:wearing|wears|donning|sporting|dressed in|wear) ", False),
+    (
+        "holds",
+        rf"{_BEING}(?P<verb>{_HOLDING}|playing(?: on| with)?|plays|eating|biting|licking|"
+        r"munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|sipping(?: from)?|reading|reads) ",
+        False,
+    ),
+    ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),
+    ("wears", r"with ", True),
+)
+_OPENERS = [
+    (relation, re.compile(rf"(?<![\w-]){text}(?=[\w'\"])", re.IGNORECASE), weak)
+    for relation, text, weak in _RELATIONS
+]
+
+
+def named_in(text: str) -> str:
+    """The thing that a text names first, as far as a look at its words tells."""
+    words = [match[0] for match in TOKEN.finditer(text)]
+    return name_in(words)[0]
+
+
+def name_in(words: list[str]) -> tuple[str, int]:
+    """The first thing that the words name, and the index behind its name; "" and -1 for none."""
+    noun, end = "", -1
+    at = 0
+    while at < len(words):
+        step = 0
+        for count in range(LONGEST, 0, -1):
+            phrase = " ".join(words[at : at + count]).lower().replace("-", " ")
+            entry = look_up(phrase.replace("'s", ""), SLOTS)
+            if entry is not None and entry.slot == "noun" and at + count <= len(words):
+                noun, step = entry.word, count
+                break
+        if not step and noun:
+            break
+        at += step or 1
+        end = at if step else end
+    return noun, end
+
+
+def is_doing(word: str) -> bool:
+    """Whether it says what a thing does: "jumping", and not "glowing"."""
+    return DOING.fullmatch(word) is not None and look_up(word, SLOTS) is None
+
+
+def ends_in_doing(text: str) -> bool:
+    """Whether it ends in what the thing does: "reading news" on a phone."""
+    words = re.split(r"[,;.!?]", text)[-1].split()
+    return any(map(is_doing, words[max(name_in(words)[1], 0) :]))
+
+
+def openers_in(prompt: str) -> list[Opener]:
+    """All that may begin what is said of another thing, in order."""
+    found: dict[int, Opener] = {}
+    for relation, rule, weak in _OPENERS:
+        for match in rule.finditer(prompt):
+            said, start = match.groupdict(), match.start()
+            for doing in ("first", "doing"):  # "a painting on an easel", "glowing"
+                if said.get(doing) and look_up(said[doing].lower(), SLOTS):
+                    start = match.end(doing) + 1
+            verb = (said.get("verb") or said.get("doing") or "").split(" ")[0].lower()
+            one = Opener(relation, start, match.end(), verb, weak)
+            # "Riding on" is no mere "on".
+            if not any(start < other.end and other.start < one.end for other in found.values()):
+                found[start] = one
+    return sorted(found.values(), key=lambda one: one.start)

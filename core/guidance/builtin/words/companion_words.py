@@ -1,0 +1,173 @@
+"""What may go with a thing, as data: what bears or holds another, and what is worn.
+
+Standard library only.
+"""
+
+import re
+
+from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.words.companion_openers import Relation
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_names import owns
+from core.guidance.builtin.words.sizes import usual
+
+HEADWEAR = frozenset(
+    ("hat", "wizard hat", "cowboy hat", "pirate hat", "crown", "helmet", "beanie", "baseball cap")
+)
+EYEWEAR = frozenset(("sunglasses", "goggles"))
+AROUND_NECKS = frozenset(("scarf", "bow tie"))
+WORN = HEADWEAR | EYEWEAR | AROUND_NECKS | {"gas mask"}
+# They are open above: what is in them is seen.
+CONTAINERS = frozenset(
+    (
+        "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
+        "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, longship, "
+        "wagon, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf cart, sled, barrel, "
+        "trash can, crib, pan, toilet, plate, dumpster"
+    ).split(", ")
+)
+# One sits in them as on a bench.
+SEATS = frozenset(
+    """chair armchair throne sofa bed beanbag wheelchair hammock saddle swing""".split()
+) | {"rocking chair", "office chair", "high chair", "bunk bed", "four-poster bed"}
+VESSELS = frozenset("vase bowl bucket mug teacup goblet".split()) | {
+    *("flower pot", "cooking pot", "paper cup"),
+}
+ENTERED = CONTAINERS | WORN | SEATS | {"cube"}  # as a box is read by itself
+BOX = "cardboard box"
+# What is worn, hangs or is slender, so that nothing stands on it.
+_SLENDER = (
+    "chain, rope, curtain, clothes hanger, ladder, fence, staff, torch, key, arrow, umbrella, "
+    "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow, "
+    "lightsaber, fork, knife, paintbrush, pencil, screwdriver, fishing rod, oar, golf club, hockey "
+    "stick, baseball bat, tennis racket, whisk, spatula, hairbrush, toothbrush, syringe, screw, "
+    "map pin, wheel, coat rack, umbrella stand, easel, street lamp, traffic light, window, door, "
+    "mirror, picture frame, wall, clock, shield, padlock, wreath, light bulb, coin, balloon, paper "
+    "lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full moon, "
+    "sun, snowflake, target, dartboard, notice board, flute, whistle, christmas bauble, broom, "
+    "rake, lollipop, phone, remote control, wind turbine, satellite, stethoscope, solar panel, "
+    "ring, bus stop"
+)
+_SLENDER_GROUPS = ("Flags and Signs", "Clothes")
+_STURDY = frozenset("backpack suitcase briefcase handbag boot sneaker helmet".split())
+NO_SUPPORTS = (
+    frozenset(_SLENDER.split(", "))
+    | {"signpost", "stop sign"}
+    | frozenset(noun for group in _SLENDER_GROUPS for noun in GROUPS[group] if noun not in _STURDY)
+)
+# Where something is, and no thing.
+NO_PLACES = frozenset(
+    """wall walls ceiling floor background backdrop ground display museum stand surface mannequin
+    hill hills mountain mountains beach mars canvas screen base table-top market""".split()
+)
+THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "street", "field"))
+# What grows on one, and is no thing that is put there.
+GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
+# A building is stood on by what is not lost on it.
+LARGEST_BUILDING = 8.0  # times as long as what is on it
+# Of these nothing stands on something: they hang, or are flat against it.
+HUNG = frozenset(
+    (
+        "necklace, dress, shirt, trousers, jacket, chain, curtain, picture frame, clock, "
+        "dartboard, window, door, wall sconce, chandelier, pendant lamp, wreath, wheel, notice "
+        "board, medal, scarf, necktie, belt, mirror, padlock, wall, faucet"
+    ).split(", ")
+)
+# With these what is on it is a picture.
+PICTURED = frozenset(
+    (
+        "mug, teacup, shield, rug, poster, book, plate, bottle, jar, potion, can, crate, barrel, "
+        "sack, pillow, clipboard, notice board, curtain, envelope, coin, cardboard box, vase, "
+        "bowl, goblet, skateboard, surfboard, snowboard, vinyl record, scroll, phone, towel, paper "
+        "cup, gift, lantern, signpost, stop sign, traffic light, mirror, picture frame, clock, "
+        "easel, door, window, wall, milk carton, chocolate bar, map pin, poker chip, toilet paper, "
+        "ring, tombstone"
+    ).split(", ")
+)
+_PICTURED_GROUPS = ("Flags and Signs", "Clothes", "Electronics")
+ALSO_DRESSED = ("Food", "Fruit and Vegetables", "Plants")
+_ALSO_DRESSED = frozenset(("robot", "bust", "skull", "rubber duck", "piggy bank", "mech"))
+NO_BEARERS = frozenset(GROUPS["Arms and Fantasy"]) | frozenset(("staff", "sword", "dagger", "key"))
+NO_HANDS = ("bust", "skull")
+INSTRUMENTS = frozenset(GROUPS["Instruments"])
+EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
+DRINKS = frozenset(
+    "mug teacup goblet bottle can jar milk-carton potion flask".replace("-", " ").split()
+) | {"paper cup", "bubble tea", "milk carton", "drinking horn", "jug"}
+READ = frozenset(("book", "scroll", "envelope", "clipboard"))
+USED = (
+    dict.fromkeys(("playing", "plays"), INSTRUMENTS)
+    | dict.fromkeys(("eating", "biting", "licking", "munching", "nibbling"), EDIBLE)
+    | dict.fromkeys(("drinking", "sipping"), DRINKS)
+    | dict.fromkeys(("reading", "reads"), READ)
+)
+# What a hand does not take: what is worn elsewhere, and what a house is.
+_NOT_HELD = (
+    frozenset("sneaker boot sandal sock shirt trousers dress jacket backpack belt".split())
+    | {"high heel", "roller skate", "jetpack", "chestplate", "parachute", "drum kit"}
+    | {"tree", "oak tree", "palm", "christmas tree", "bush"}
+    | frozenset(GROUPS["Furniture"]) - {"pillow", "lamp", "mirror"}
+)
+
+
+def is_dressed(noun: str) -> bool:
+    """Whether it may wear or hold something: what is alive, its likeness, or a funny fruit."""
+    return (
+        is_creature(noun)
+        or noun in _ALSO_DRESSED
+        or any(noun in GROUPS[group] for group in ALSO_DRESSED)
+    )
+
+
+def is_pictured(noun: str) -> bool:
+    """Whether what is said to be on it is a picture, a print or a sticker."""
+    return noun in PICTURED or any(noun in GROUPS[group] for group in _PICTURED_GROUPS)
+
+
+def is_building(noun: str) -> bool:
+    """Whether it is one, or a part of the landscape."""
+    return noun in GROUPS["Buildings"]
+
+
+def is_no_place(phrase: str) -> bool:
+    """Whether it says where something is, and no thing that it is on or in."""
+    words = phrase.lower().replace("-", " ").split()
+    there = [word for word in words if word in THE_MOON]
+    return not NO_PLACES.isdisjoint(words) or (bool(there) and words[0] == "the")
+
+
+def as_container(phrase: str) -> str:
+    """The phrase as what is in it has it: a box that holds something is one of cardboard."""
+    return re.sub(r"(?<![\w-])(?<!cardboard )box$", BOX, phrase, flags=re.IGNORECASE)
+
+
+def as_meant(noun: str) -> Relation:
+    """What "in" such a thing means: one is on a chair, and wears a hat."""
+    return "wears" if noun in WORN else "on" if noun in SEATS else "in"
+
+
+def may_contain(other: str, first: str) -> bool:
+    """Whether the first thing may be in the other; a cactus stands in a pot of its own."""
+    potted = other in VESSELS and owns(first, "pot")
+    return other in CONTAINERS and not is_building(first) and not potted
+
+
+def may_wear(first: str, other: str) -> bool:
+    """Whether the first thing may wear the other, and has nothing there already."""
+    covered = other in HEADWEAR and (owns(first, "hat") or owns(first, "crown"))
+    masked = other in ("helmet", "gas mask") and owns(first, "visor")
+    return other in WORN and first not in WORN and not covered and not masked
+
+
+def may_bear(other: str, first: str) -> bool:
+    """Whether the first thing may stand, lie, sit or ride on the other."""
+    if other in NO_SUPPORTS or first in HUNG:
+        return False
+    return not is_building(other) or usual(other)[0] <= LARGEST_BUILDING * usual(first)[0]
+
+
+def is_held(noun: str, verb: str) -> bool:
+    """Whether somebody may have it in a hand, a paw or a mouth, as the verb says."""
+    if verb in USED:
+        return noun in USED[verb]
+    return noun not in _NOT_HELD and not is_building(noun)

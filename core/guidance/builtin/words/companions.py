@@ -1,0 +1,329 @@
+"""What a prompt wants together with the thing: "a cat on a cushion", "a corgi wearing a beret".
+
+It is taken out of the prompt before the rest is read. Standard library only.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from core.guidance.builtin.words import companion_words as known_as
+from core.guidance.builtin.words.companion_openers import (
+    TOKEN,
+    Opener,
+    Relation,
+    ends_in_doing,
+    is_doing,
+    name_in,
+    named_in,
+    openers_in,
+)
+from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
+from core.guidance.builtin.words.emblems import FLAT, drawn_in
+from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
+from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.tokens import DOING, describes
+from core.guidance.builtin.words.words import FILLER, IGNORED_ADJECTIVES, PLACES
+
+MOST = 2  # with one thing
+LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
+_VERBS = {"wears": "wearing", "holds": "holding", "in": "in"}
+_PLACING = ("on", "in")  # of which a thing has one
+
+
+class Found(NamedTuple):
+    """What goes with the thing, as it was written and as it was read."""
+
+    relation: Relation
+    phrase: str
+    words: Words
+
+
+class Read(NamedTuple):
+    """What a phrase names: the entry of its thing, and all that is said of it."""
+
+    entry: Entry
+    words: Words
+
+
+Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
+
+
+_PLACES = {
+    "head": "head|forehead|heads|hair|ears?",
+    "face": "face|eyes|nose|snout|muzzle",
+    "neck": "neck",
+    "back": "back|backs|shoulders?|shell|top|roof|hump|belly|lap",
+    "hand": "hands?|paws?|mouth|claws?|beak|bill|arms?|tentacles?|wings?|teeth|grip|trunk|jaws?|"
+    "fingers?|talons?|pincers?|hooves|hoof",
+}
+_WHOSE = "(?:its|his|her|their|the|one|each|both)"
+_PLACED = re.compile(
+    r"(?<![\w-])(?P<lead>(?:with|has|having|and|carrying|wearing|holding|balancing|bearing|"
+    r"carries|bears))"
+    r" (?P<phrase>(?:(?!(?:with|has|wearing|holding|carrying|on|in|and an?|that|which)\b)"
+    r"[\w'-]+ ){1,8}?)"
+    r"(?:(?:sitting|standing|perched|resting|growing|placed|balanced|lying|built) )?"
+    r"(?:(?:(?:on top of|on|in|between|around|over|atop|upon|from) "
+    rf"(?:{_WHOSE} (?:(?:one|left|right|front|two|little|tiny|big) )?(?P<place>"
+    rf"{'|'.join(_PLACES.values())})(?! of)))"
+    r"|on top of (?P<over>it|them)|on (?P<it>it|them)|(?:on|at) (?:the |its )?(?P<top>top)"
+    r"(?: of it)?)(?![\w-])",
+    re.IGNORECASE,
+)
+_TOPPED = re.compile(
+    r"(?<![\w-])(?:topped|crowned) (?:off )?(?:with|by) (?P<phrase>an? [^,;.!?()]+)", re.IGNORECASE
+)
+_STOP = re.compile(r"[,;:.!?()]")
+_DECIMAL = re.compile(r"\d\.\d")
+_LIST = re.compile(r"(?: and|, and|,) ", re.IGNORECASE)
+_ARTICLES = frozenset("a an the some his her its their my your".split())
+SAYS_LITTLE = FILLER | IGNORED_ADJECTIVES | {"very"}
+_AND = ("and", "while", "plus")
+_BEYOND = PLACES - set("to as like being among up down out off inside into whose atop".split())
+
+
+def companions_in(
+    prompt: str, read: Reader, first_of: Callable[[str], str]
+) -> tuple[list[Found], str]:
+    """What goes with the thing, two at most, and the prompt without it.
+
+    Args:
+        read: reads a phrase about another thing by itself.
+        first_of: the thing that a text names first, or "".
+    """
+    found: list[Found] = []
+    search = _Search(read, first_of)
+    for step in (search.placed, search.opened):
+        while len(found) < MOST:
+            more, prompt = step(prompt, found)
+            if not more:
+                break
+            found += more
+    return found, prompt
+
+
+class _Search:
+    """Looks for one thing more that goes with the first."""
+
+    def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
+        self._read, self._first_of = read, first_of
+
+    def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "With a house on its back", "with a strawberry on top"."""
+        drawn = drawn_in(prompt)
+        matches = (*_PLACED.finditer(prompt), *_TOPPED.finditer(prompt))
+        for match in matches[:LOOKED_AT]:
+            first = self._first_of(prompt[: match.start()])
+            said = match.groupdict()
+            place = next(filter(None, (said.get(k) for k in ("place", "it", "over", "top"))), "top")
+            relation = self._at(place.lower(), match["phrase"]) if first else None
+            if relation is None or (said.get("it") and is_pictured(first)):
+                continue
+            pictures = (one for one, start, end in drawn if start <= match.start() < end)
+            is_head = bool(said.get("place")) and is_dressed(first)
+            if any(not is_head or one.text or one.shape in FLAT for one in pictures):
+                continue
+            # "A cat wearing a hat with a flower on top": that is the hat's.
+            clause = re.split(r"[,;.!?]", prompt[: match.start()])[-1]
+            loose = not said.get("place") or relation == "bears"
+            if loose and not said.get("place") and self._has_opener(clause):
+                continue
+            if one := self._taken(relation, match["phrase"].strip(), first, found):
+                return [one], _cut(prompt, match.start(), match.end(), [])
+        return [], prompt
+
+    def opened(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "Riding a horse", "on a red cushion", "wearing a hat and a scarf"."""
+        drawn = drawn_in(prompt)
+        openers = openers_in(prompt)
+        for opener in openers[:LOOKED_AT]:
+            if any(start <= opener.start < end for _, start, end in drawn):
+                continue
+            first = self._first_of(prompt[: opener.start])
+            if not first or (not opener.verb and ends_in_doing(prompt[: opener.start])):
+                continue
+            taken: list[Found] = []
+            kept: list[str] = []
+            end = opener.end
+            for begin, end in _items(prompt, opener, openers, first):
+                phrase = prompt[begin:end].strip()
+                both = [*found, *taken]
+                one = self._taken(opener.relation, phrase, first, both, opener.verb, opener.weak)
+                if one and len(both) < MOST:
+                    taken.append(one)
+                else:
+                    kept.append(phrase)
+            if taken:
+                left = [_VERBS[opener.relation], " and ".join(kept)] if kept else []
+                return taken, _cut(prompt, opener.start, end, left, openers)
+        return [], prompt
+
+    def _has_opener(self, clause: str) -> bool:
+        return any(
+            self._first_of(clause[: one.start]) for one in openers_in(clause) if not one.weak
+        )
+
+    def _at(self, place: str, phrase: str) -> Relation | None:
+        """How the first thing has what is said to be at one of its places."""
+        noun = named_in(phrase)
+        where = next((k for k, forms in _PLACES.items() if re.fullmatch(forms, place)), "back")
+        if where == "hand":
+            return "holds"
+        if where in ("head", "face", "neck") and noun in known_as.WORN:
+            return "wears"
+        return "bears" if where in ("head", "back") or place == "nose" else None
+
+    def _taken(
+        self,
+        relation: Relation,
+        phrase: str,
+        first: str,
+        found: list[Found],
+        verb: str = "",
+        weak: bool = False,
+    ) -> Found | None:
+        """What the phrase names, if it may be with the first thing so."""
+        if relation == "in":
+            relation = known_as.as_meant(named_in(phrase))
+        if relation in _PLACING and any(one.relation in _PLACING for one in found):
+            return None
+        if relation in _PLACING and known_as.is_no_place(phrase):
+            return None
+        if relation == "in":
+            phrase = known_as.as_container(phrase)
+        if weak and relation == "wears" and not is_dressed(first):
+            return None
+        got = self._read(phrase)
+        if got is None or got.entry.form in known_as.GROWN or _is_part(got.entry, first):
+            return None
+        other = got.words.noun
+        is_so = {
+            "on": lambda: known_as.may_bear(other, first),
+            "in": lambda: known_as.may_contain(other, first),
+            "wears": lambda: known_as.may_wear(first, other),
+            "holds": lambda: (
+                is_dressed(first)
+                and first not in known_as.NO_HANDS
+                and known_as.is_held(other, verb)
+            ),
+            "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
+        }
+        return Found(relation, phrase, got.words) if is_so[relation]() else None
+
+
+def _is_part(entry: Entry, first: str) -> bool:
+    """Whether the other thing is a part that the first has anyway: a knight's sword."""
+    part = as_part(entry, first) and not is_wide(first, entry.form)
+    # A cactus has a pot of its own, whatever it is of.
+    return bool(part) or owns(first, entry.form.split()[-1]) or is_within(first, entry.form)
+
+
+def _items(
+    prompt: str, opener: Opener, openers: list[Opener], first: str
+) -> Iterator[tuple[int, int]]:
+    """Where what follows begins and ends: of what is worn or held there may be several."""
+    starts = {one.start for one in openers if one.start >= opener.end and _ends_here(prompt, one)}
+    begin = opener.end
+    while True:
+        end = _phrase_end(prompt, begin, starts, first)
+        yield begin, end
+        listed = _LIST.match(prompt, end)
+        if opener.relation not in _VERBS or not listed or listed.end() in starts:
+            return
+        noun = named_in(prompt[listed.end() : _phrase_end(prompt, listed.end(), starts, first)])
+        comma = listed[0].startswith(",")
+        if not noun or (comma and opener.relation == "holds"):
+            return
+        if noun not in known_as.WORN and (comma or opener.relation != "holds"):
+            return
+        begin = listed.end()
+
+
+def _ends_here(prompt: str, opener: Opener) -> bool:
+    """Whether what stands before ends where the opener begins."""
+    if not opener.weak:
+        return True
+    noun = named_in(" ".join(prompt[opener.end :].split()[:4]))
+    return noun in (known_as.WORN if opener.relation == "wears" else known_as.ENTERED)
+
+
+def _phrase_end(prompt: str, begin: int, starts: set[int], first: str) -> int:
+    """Where a phrase that begins there ends."""
+    tokens = list(TOKEN.finditer(prompt, begin))
+    words = [token[0].lower() for token in tokens]
+    stop = next((k for k, token in enumerate(tokens) if _stops(prompt, token)), len(tokens))
+    name_end = name_in(words[:stop])[1]
+    for k, token in enumerate(tokens[:stop]):
+        word, named = words[k], 0 <= name_end <= k
+        more = words[k + 1 : stop]
+        if token.start() in starts and k:
+            return _before(prompt, token.start())
+        listed = named or (more and more[0] in _ARTICLES)
+        ends = (
+            (word in _AND and listed)
+            or (word in _BEYOND and k > 0)
+            or ((named or _is_strange(words[:k])) and is_doing(word))
+            or (named and word == "in" and _looks_again(words[:k], more))
+            or (named and word == "with" and _is_firsts(more, first, named_in(" ".join(words[:k]))))
+        )
+        if ends:
+            return _before(prompt, token.start())
+    return _before(prompt, tokens[stop].start() if stop < len(tokens) else len(prompt))
+
+
+def _stops(prompt: str, token: re.Match[str]) -> bool:
+    decimal = _DECIMAL.match(prompt, max(token.start() - 1, 0))
+    quoted = prompt[token.end() : token.end() + 2].strip()[:1] in ('"', "“", "'")
+    return bool(_STOP.fullmatch(token[0])) and not decimal and not (token[0] == ":" and quoted)
+
+
+def _before(prompt: str, end: int) -> int:
+    return len(prompt[:end].rstrip())
+
+
+def _is_firsts(words: list[str], first: str, other: str) -> bool:
+    """Whether what "with" says behind the other thing is said of the first: "a dog on a rug with
+    big ears"."""
+    for word in words[:5]:
+        if word in ("and", "on", "in", "with"):
+            return False
+        if owns(other, word):
+            return False
+        if owns(first, word) or is_within(first, word):
+            return True
+    return False
+
+
+def _is_strange(words: list[str]) -> bool:
+    """Whether they end in what may be a thing that is not known: "a unicycle juggling balls"."""
+    word = next(reversed(words), "a")
+    return look_up(word, SLOTS) is None and word not in SAYS_LITTLE and not describes(word)
+
+
+def _looks_again(words: list[str], more: list[str]) -> bool:
+    """Whether a colour behind "in" is the first thing's: "a bear with a red scarf in blue"."""
+
+    def is_colored(some: list[str]) -> bool:
+        slots = (entry.slot for entry in (look_up(word, SLOTS) for word in some) if entry)
+        return "color" in slots
+
+    return (
+        bool(more) and is_colored(more[:2]) and not named_in(" ".join(more)) and is_colored(words)
+    )
+
+
+def _cut(
+    prompt: str, start: int, end: int, left: list[str], openers: list[Opener] | None = None
+) -> str:
+    """The prompt without what stands between the indices, but for what is ``left``."""
+    before = re.sub(r"(?:,? (?:and|while)|,)\s*$", "", prompt[:start].rstrip())
+    comma = "," if prompt[:start].rstrip().endswith(",") else ""
+    after = prompt[end:]
+    if joined := re.match(r",? (?:and|while|plus) ", after):
+        begins = {one.start for one in openers or ()}
+        goes_on = end + joined.end() in begins or DOING.match(after, joined.end())
+        after = f" {'' if goes_on else 'with '}{after[joined.end() :]}"
+    text = f"{before}{' '.join(['', *left])}{after if after[:1] in ',.;!?)' else comma + after}"
+    return re.sub(r"\s+", " ", re.sub(r"\s+(?=[,;.!?)])", "", text)).strip(" ,")

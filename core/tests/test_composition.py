@@ -1,0 +1,292 @@
+"""Several things as one object: where each lies, and what is painted where."""
+
+import math
+from functools import cache
+
+import pytest
+import torch
+
+from core.camera import Cameras
+from core.config import DRAFT
+from core.geometry.assembly import assembled
+from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
+from core.geometry.signed_distance import SolidMesh
+from core.guidance.builtin.composition.composed import Composed, composed_field
+from core.guidance.builtin.composition.holding import held
+from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.composition.resting import around, height_map, under, upon
+from core.guidance.builtin.composition.wearing import bareheaded, head_of, worn
+from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.palette import looks
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.vocabulary import parse
+from core.guidance.guidance import Views
+
+QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+
+@cache
+def body(prompt: str) -> Body:
+    drawn = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    assert drawn.solid is not None
+    return Body.of(drawn.words, drawn.solid)
+
+
+@cache
+def composed(prompt: str) -> Composed:
+    found = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    assert isinstance(found, Composed) and found.placements
+    return found
+
+
+def centered(thing: Body) -> torch.Tensor:
+    return thing.box.mean(0)
+
+
+def box(low, high, noun="crate") -> Body:
+    """A box's surface as a thing."""
+    low, high = torch.tensor(low), torch.tensor(high)
+    corners = torch.tensor([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    faces = "013 032 467 475 045 051 237 276 026 064 157 173".split()
+    faces = torch.tensor([[int(corner) for corner in face] for face in faces])
+    verts = low + corners * (high - low)
+    return Body(Words(noun=noun), verts.float(), faces, torch.zeros(8, dtype=torch.long))
+
+
+def test_a_placement_is_undone():
+    place = Placement(0.4, torch.tensor([0.1, -0.2, 0.3]), QUARTER)
+    points = torch.randn(20, 3, generator=torch.Generator().manual_seed(0))
+    torch.testing.assert_close(place.into(place.out(points)), points)
+    torch.testing.assert_close(
+        place.out(torch.tensor([[1.0, 0, 0]])), torch.tensor([[0.1, 0.2, 0.3]])
+    )
+    after = place.then(2.0, torch.tensor([1.0, 0.0, 0.0]))
+    torch.testing.assert_close(after.out(points), place.out(points) * 2 + torch.tensor([1.0, 0, 0]))
+
+
+def test_things_are_as_large_to_each_other_as_they_usually_are_within_limits():
+    mouse, elephant = body("a mouse"), body("an elephant")
+    assert sized(elephant, mouse, 0.1, 1000) * elephant.longest / mouse.longest == pytest.approx(
+        elephant.usual / mouse.usual
+    )
+    assert sized(elephant, mouse, 0.1, 3.0) * elephant.longest == pytest.approx(3 * mouse.longest)
+    assert sized(mouse, elephant, 0.2, 3) * mouse.longest == pytest.approx(0.2 * elephant.longest)
+
+
+def test_a_stated_size_is_the_things_own():
+    small, usual = body("a 5 cm tall robot"), body("a robot")
+    assert small.usual < 0.3 * usual.usual
+
+
+def test_a_height_map_has_the_highest_point_over_each_cell():
+    heights = height_map(box((0.0, 0.0, 0.0), (1.0, 2.0, 0.5)))
+    assert not heights.isnan().any() and torch.allclose(heights, torch.tensor(0.5), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("thing", "support"),
+    [("a cat", "a cushion"), ("an anvil", "a stump"), ("a frog", "a mushroom")],
+)
+def test_what_is_on_something_touches_it_and_is_above(thing, support):
+    upper = body(thing)
+    lower = body(support).placed(under(upper, body(support)))
+    foot = float(upper.box[0, 2])
+    assert float(centered(lower)[2]) < foot
+    inside = SolidMesh(lower.verts, lower.faces).sdf(upper.verts)
+    assert float(inside.min()) < 0  # they touch
+    assert float((inside < 0).float().mean()) < 0.2  # and it is not swallowed
+
+
+def test_one_sits_on_the_seat_and_not_on_the_back():
+    cat, sofa = body("a cat"), body("a sofa")
+    below = sofa.placed(under(cat, sofa))
+    assert float(cat.box[0, 2]) < float(below.box[0, 2] + 0.75 * below.sides[2])
+    assert float((centered(cat) - centered(below))[0].abs()) < 0.25 * float(below.sides[0])
+
+
+def test_a_surfboard_lies_under_who_stands_on_it():
+    board = body("a surfboard")
+    assert board.sides[2] > board.sides[:2].max()  # it is drawn upright
+    lying = board.placed(under(body("a penguin"), board))
+    assert lying.sides[2] < 0.5 * lying.sides[:2].max()
+
+
+def test_what_is_in_a_container_stands_out_of_it_and_has_room():
+    for thing, holder in (("a tulip", "a vase"), ("a cat", "a cardboard box")):
+        upper = body(thing)
+        outer = body(holder).placed(around(upper, body(holder)))
+        assert outer.box[0, 2] < upper.box[0, 2] < outer.box[1, 2] < upper.box[1, 2]
+
+
+def test_what_a_thing_bears_is_on_its_top_and_no_wider():
+    turtle = body("a turtle")
+    house = body("a house").placed(upon(body("a house"), turtle))
+    assert float(house.box[0, 2]) > float(centered(turtle)[2])
+    assert float(house.sides[:2].max()) < float(turtle.sides[:2].max())
+
+
+@pytest.mark.parametrize("wearer", ["a corgi", "a penguin", "a person", "a horse", "a robot"])
+@pytest.mark.parametrize("hat", ["a cowboy hat", "a beanie", "a crown"])
+def test_a_hat_is_on_the_head_above_the_eyes(wearer, hat):
+    head, one = head_of(body(wearer)), body(hat).placed(worn(body(hat), body(wearer)))
+    assert head.eyes < float(one.box[0, 2]) + 0.12 * float(body(wearer).sides[2])
+    assert float(one.box[0, 2]) < head.top < float(one.box[1, 2])
+    assert 0.8 * head.wide < float(one.sides[0]) < 2.6 * head.wide
+    eyes = body(wearer).of_parts("eyes")
+    assert abs(float(centered(one)[0] - eyes[:, 0].mean())) < 0.2 * head.wide
+
+
+def test_a_robots_panel_is_no_pair_of_eyes():
+    robot = body("a robot")
+    assert head_of(robot).eyes > float(centered(robot)[2])
+
+
+def test_what_has_no_eyes_wears_a_hat_on_its_top():
+    pumpkin = body("a pumpkin")
+    hat = body("a wizard hat").placed(worn(body("a wizard hat"), pumpkin))
+    assert float(hat.box[1, 2]) > float(pumpkin.box[1, 2])
+    assert float(hat.sides[0]) < 1.3 * float(pumpkin.sides[0])
+
+
+def test_glasses_are_before_the_eyes():
+    dog = body("a dog")
+    glasses = body("sunglasses").placed(worn(body("sunglasses"), dog))
+    eyes = dog.of_parts("eyes")
+    assert float(glasses.box[0, 1]) <= float(eyes[:, 1].min())
+    assert float(centered(glasses)[2]) == pytest.approx(float(eyes[:, 2].mean()), abs=0.08)
+
+
+def test_a_bow_tie_is_below_the_eyes_and_in_front():
+    cat = body("a cat")
+    tie = body("a bow tie").placed(worn(body("a bow tie"), cat))
+    assert float(tie.box[1, 2]) < head_of(cat).eyes
+    assert float(centered(tie)[1]) < 0
+
+
+def test_a_sword_is_held_by_its_grip_at_the_side():
+    person = body("a person")
+    sword = body("a sword").placed(held(body("a sword"), person))
+    assert float(centered(sword)[0]) < 0.6 * float(person.box[0, 0])
+    low, high = person.box[:, 2].tolist()
+    grip = sword.of_parts("grip", "hilt", "handle")
+    assert low + 0.2 * (high - low) < float(grip[:, 2].mean()) < low + 0.7 * (high - low)
+    assert float(sword.box[1, 2]) > float(grip[:, 2].max())  # its blade is up
+
+
+def test_a_dog_has_a_bone_across_its_mouth():
+    dog, bone = body("a dog"), body("a bone")
+    there = bone.placed(held(bone, dog))
+    assert int(there.sides.argmax()) == 0  # from side to side
+    assert float(there.box[0, 1]) < float(dog.box[0, 1]) + 0.3 * float(dog.sides[1])
+
+
+def test_an_umbrella_is_upright_in_a_mouth():
+    there = body("an umbrella").placed(held(body("an umbrella"), body("a raccoon")))
+    upright = body("an umbrella").sides
+    torch.testing.assert_close(there.sides / there.sides.max(), upright / upright.max())
+
+
+def test_a_hat_takes_the_place_of_a_hat():
+    wizard, crown = parse("a wizard"), parse("a crown")
+    assert bareheaded(wizard, [("wears", crown)]).absent == ("hat",)
+    assert bareheaded(wizard, [("holds", crown)]).absent == ()
+    assert bareheaded(parse("a cat"), [("wears", crown)]).absent == ()
+
+
+def test_a_composition_is_one_closed_piece_of_the_usual_radius():
+    parts = composed("a cat on a red cushion").parts()
+    assert parts is not None
+    made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
+    assert made is not None
+    verts, faces = made
+    report = health(verts, faces)
+    assert report["closed"] and component_labels(faces, len(verts))[0] == 1
+    middle = (verts.amin(0) + verts.amax(0)) / 2
+    assert float((verts - middle).norm(dim=1).max()) == pytest.approx(NORMAL_RADIUS, abs=0.05)
+
+
+def test_each_place_is_painted_as_the_thing_that_is_there():
+    guidance = composed("a cat on a red cushion")
+    areas, parts = guidance.areas(), guidance.parts()
+    assert areas is not None and parts is not None
+    cat, cushion = guidance.things
+    assert len(areas.each) >= len(looks("cat")) + len(looks(cushion.words.noun))
+    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.placements[1])
+    low = body_of.verts[body_of.verts[:, 2] < body_of.verts[:, 2].median()]
+    colors = [areas.each[k].surface.color for k in areas.of(low).unique().tolist()]
+    red = colors[0]
+    assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), red
+    head = Body.of(cat.words, cat.solid).placed(guidance.placements[0])
+    top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
+    assert (areas.of(top) < len(looks("cat"))).all()
+
+
+def test_far_from_a_thing_its_network_is_not_asked():
+    asked = []
+
+    def field(points):
+        asked.append(points)
+        return points[:, 0] * 0 - 1.0, points[:, :2] * 0 + 1.0
+
+    at = composed_field([field], [Placement(0.5, torch.zeros(3), torch.eye(3))])
+    distance, depths = at(torch.tensor([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
+    assert asked[0].abs().max() <= 1.5
+    assert distance[0] == -0.5 and distance[1] > 3 and (depths[1] < -3).all()
+
+
+def test_a_picture_is_predicted_by_the_thing_at_each_place():
+    drawn = composed("a cat on a red cushion")
+    cat, cushion = drawn.things
+    cameras = Cameras.orbit([20.0], [10.0], 2.75, 40.0)
+    surface = torch.zeros(1, 7, 64, 64)
+    surface[:, 3] = -1.0
+    places = [
+        Body.of(t.words, t.solid).placed(p)
+        for t, p in zip(drawn.things, drawn.placements, strict=True)
+    ]
+    # On the left points of the cat, on the right of the cushion.
+    for columns, thing in ((slice(8, 24), places[0]), (slice(40, 56), places[1])):
+        some = thing.verts[torch.linspace(0, len(thing.verts) - 1, 16 * 16).long()]
+        surface[0, 3, 24:40, columns] = 1.0
+        surface[0, 4:, 24:40, columns] = some.T.reshape(3, 16, 16)
+    views = Views(cameras, surface)
+    z = torch.randn(1, 4, 64, 64, generator=torch.Generator().manual_seed(0))
+    t = torch.tensor([300])
+    found = drawn.predict(z, t, views).cond
+    first = cat.predict(z, t, views).cond  # the cat is not where it is by itself
+    assert found.shape == z.shape and not torch.equal(found, first)
+    owner = drawn._owner(surface)[0]
+    assert (owner[24:40, 8:24] == 0).float().mean() > 0.9
+    assert (owner[24:40, 40:56] == 1).float().mean() > 0.9
+    assert (owner[:20] == 0).all()
+    other = cushion.predict(z, t, Views(cameras, surface)).cond
+    assert other.shape == z.shape
+
+
+def test_an_object_grows_by_what_is_made_with_it():
+    assert composed("a cat on a red cushion").grown() > 1
+    on_books = composed("a rabbit on a stack of books")
+    assert 1.2 < on_books.grown() < 3
+    assert load_builtin("cpu").prompted("a rabbit", "").grown() == 1
+
+
+def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone():
+    prompted = load_builtin("cpu").prompted("a cat on a red cushion", "")
+    alone = prompted.of_object(0, whole=False)
+    for one in (prompted, alone):
+        (note,) = one.left_out()
+        assert note.startswith("pillow: left out") or "left out" in note
+        assert one.grown() == 1
+    cat = load_builtin("cpu").prompted("a cat", "").of_object(0)
+    assert alone.parts().forms == cat.parts().forms
+    assert composed("a cat on a red cushion").left_out() == ()
+    guided = composed("a cat on a red cushion").in_proportion(
+        Mesh(body("a cat").verts, body("a cat").faces), 0.5, 0.02
+    )
+    assert guided.left_out() and not guided.placements
+
+
+def test_a_material_range_spans_all_things():
+    wide = composed("a cat on a golden cushion").ranges()
+    assert wide.metallic[0] <= 0.02 and wide.metallic[1] >= 0.9
+    assert math.isfinite(wide.roughness[0])
