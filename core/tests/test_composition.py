@@ -14,7 +14,7 @@ from core.geometry.signed_distance import SolidMesh
 from core.guidance.builtin.composition.composed import Composed, composed_field
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, sized
-from core.guidance.builtin.composition.resting import around, height_map, under, upon
+from core.guidance.builtin.composition.resting import around, height_map, is_stuck, under, upon
 from core.guidance.builtin.composition.wearing import bareheaded, head_of, worn
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import looks
@@ -184,6 +184,46 @@ def test_an_umbrella_is_upright_in_a_mouth():
     there = body("an umbrella").placed(held(body("an umbrella"), body("a raccoon")))
     upright = body("an umbrella").sides
     torch.testing.assert_close(there.sides / there.sides.max(), upright / upright.max())
+
+
+def test_a_sword_is_in_the_stone_with_its_point():
+    guidance = composed("a sword in a stone")
+    sword, stone = (
+        Body.of(thing.words, thing.solid).placed(place)
+        for thing, place in zip(guidance.things, guidance.placements, strict=True)
+    )
+    blade, grip = sword.of_parts("blade"), sword.of_parts("grip", "hilt", "handle")
+    assert float(blade[:, 2].min()) < float(stone.box[1, 2]) < float(blade[:, 2].max())
+    assert float(grip[:, 2].min()) > float(blade[:, 2].mean())
+    assert is_stuck(body("an axe"), body("a stump")) and not is_stuck(
+        body("a cat"), body("a stump")
+    )
+
+
+def test_what_is_stuck_in_the_first_thing_is_upside_down_too():
+    place = upon(body("an axe"), body("a stump"))
+    assert place.turn[2, 2] == -1
+    axe = body("an axe").placed(place)
+    assert float(axe.box[0, 2]) < float(body("a stump").box[1, 2]) < float(axe.box[1, 2])
+
+
+def test_flowers_are_in_the_vase_that_they_are_said_to_be_in():
+    vase, tulip = body("a vase"), body("a tulip")
+    there = tulip.placed(upon(tulip, vase))
+    assert vase.box[0, 2] < there.box[0, 2] < vase.box[1, 2] < there.box[1, 2]
+
+
+@pytest.mark.parametrize("wearer", ["a person", "a goblin", "a teddy bear"])
+def test_a_backpack_is_on_the_back(wearer):
+    pack = body("a backpack").placed(worn(body("a backpack"), body(wearer)))
+    who = body(wearer)
+    assert float(centered(pack)[1]) > 0.5 * float(centered(who)[1] + who.box[1, 1])
+    assert float(who.box[0, 2]) < float(pack.box[0, 2]) < float(pack.box[1, 2]) < head_of(who).top
+
+
+def test_a_pig_bears_its_backpack():
+    pack = body("a backpack").placed(worn(body("a backpack"), body("a pig")))
+    assert float(centered(pack)[2]) > float(body("a pig").box[1, 2]) - 0.3
 
 
 def test_a_hat_takes_the_place_of_a_hat():

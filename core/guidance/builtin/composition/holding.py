@@ -8,9 +8,9 @@ from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.composition.wearing import NO_HEAD
 from core.guidance.builtin.nouns import GROUPS
 
-HELD = (0.22, 0.85)  # of the holder's longest side
+HELD = (0.28, 0.85)  # of the holder's longest side
 SLENDER, LONG = 2.2, 1.25  # times as long as it is wide: along its grip; across a mouth
-AT_CHEST, AT_MOUTH = 0.6, 0.42  # of the holder's longest side, at most
+AT_CHEST, AT_MOUTH = 0.45, 0.42  # of the holder's longest side, at most
 HANDED = frozenset(GROUPS["Characters"]) | frozenset("person knight alien robot skeleton".split())
 CLAWED = {"crab": "claws", "lobster": "claws", "scorpion": "claws"}
 # What hangs on its grip or stands up from it, in a mouth too.
@@ -100,14 +100,20 @@ def _before_chest(item: Body, holder: Body) -> Placement:
 
 def _in_mouth(item: Body, holder: Body) -> Placement:
     if item.words.noun in RAISED:
-        place = Placement.of(sized(item, holder, HELD[0], HELD[1]))
-        return place.moved(_mouth(holder) - _grip(item.placed(place)))
+        place = Placement.of(sized(item, holder, *HELD))
+        return place.moved(_beside(holder) - _grip(item.placed(place)))
     turn = {2: SIDEWAYS, 1: ACROSS}.get(_along(item, LONG), torch.eye(3))
     turned = item.placed(Placement.of(1.0, turn))
     place = Placement.of(1.0, turn)
     place = place.then(sized(turned, holder, HELD[0], AT_MOUTH), torch.zeros(3))
     there = item.placed(place)
     return place.moved(_mouth(holder) - there.box.mean(0))
+
+
+def _beside(holder: Body) -> Float[Tensor, " 3"]:
+    """Beside the shoulder, so that what stands up there hides no face."""
+    low, sides = holder.box[0], holder.sides
+    return low + sides * torch.tensor([0.0, 0.3, 0.6])
 
 
 def _mouth(holder: Body) -> Float[Tensor, " 3"]:

@@ -7,6 +7,7 @@ from torch import Tensor
 from core.geometry.init_shape import sample_surface
 from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.words.companion_words import CONTAINERS, PIERCED, POINTED
 from core.guidance.builtin.words.living import is_animal
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
@@ -19,6 +20,7 @@ LEVEL = 0.8  # quantile of the heights under a foot that it rests on
 # What a place costs: for each unit of height by which the ground under the foot differs; for each
 # share of the foot without ground; for each unit off the middle; for what stands in the way.
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
+SEAT = 0.8  # off the middle of what one sits in
 SUNK = 0.02  # training units, by which what rests goes into what is under it
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
 IN = 0.45  # of the lower one's height: how deep a thing is in another
@@ -28,18 +30,20 @@ WIDEST = 0.7  # of what bears a thing, that it is at most wide
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
+STONE, STUCK = (0.4, 1.6), 0.3  # of what is stuck: the other's size; how deep
+POINT_DOWN = torch.tensor([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
 TILTED = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # z to -y
 QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # about z
 
 
-def under(thing: Body, support: Body) -> Placement:
-    """Where the support of ``thing`` is."""
+def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
+    """Where the support of ``thing`` is, with what a unit off its middle costs."""
     place = _levelled(thing, support)
     sizes = MOUNT if _is_mount(support) else SUPPORT
     lying = support.placed(place)
     place = place.then(sized(lying, thing, *sizes), torch.zeros(3))
     below = support.placed(place)
-    spot = _spot(thing, below)
+    spot = spot_on(thing, below, off_middle)
     sunk = ASTRIDE * float(thing.sides[2]) if _rides(thing, support) else SUNK
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, sunk]))
 
@@ -47,7 +51,7 @@ def under(thing: Body, support: Body) -> Placement:
 def around(thing: Body, container: Body) -> Placement:
     """Where the container of ``thing`` is."""
     if container.words.noun in GROUPS["Vehicles"]:  # on its deck or its seats
-        place = under(thing, container)
+        place = under(thing, container, SEAT)
         return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
     scale = sized(container, thing, *CONTAINER)
     middle = float(thing.box[0, 2] + thing.sides[2] / 2)
@@ -60,12 +64,34 @@ def around(thing: Body, container: Body) -> Placement:
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, depth]))
 
 
+def is_stuck(thing: Body, other: Body) -> bool:
+    """Whether a thing is in the other with its point."""
+    return thing.words.noun in POINTED and other.words.noun in PIERCED
+
+
+def pierced(thing: Body, other: Body) -> Placement:
+    """Where that is in which ``thing``, its point down, is stuck."""
+    place = Placement.of(sized(other, thing, *STONE))
+    spot = spot_on(thing, other.placed(place))
+    deep = torch.tensor([0.0, 0.0, STUCK * float(thing.sides[2])])
+    return place.moved(_foot(thing) - spot + deep)
+
+
 def upon(thing: Body, carrier: Body) -> Placement:
-    """Where ``thing`` is that the carrier bears on top of itself."""
+    """Where ``thing`` is that the carrier bears on top of itself, or has in itself."""
+    if is_stuck(thing, carrier):
+        place = Placement.of(sized(thing, carrier, *BORNE), POINT_DOWN)
+        borne = thing.placed(place)
+        deep = torch.tensor([0.0, 0.0, STUCK * float(borne.sides[2])])
+        return place.moved(spot_on(borne, carrier) - _foot(borne) - deep)
+    if carrier.words.noun in CONTAINERS:
+        inverse = around(thing, carrier)
+        # What is around the thing, seen from the other side.
+        return Placement(1 / inverse.scale, -inverse.shift / inverse.scale, torch.eye(3))
     wide = WIDEST * carrier.sides[:2].max() / thing.sides[:2].max()
     place = Placement.of(min(sized(thing, carrier, *BORNE), float(wide)))
     borne = thing.placed(place)
-    return place.moved(_spot(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
+    return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 
 
 def _is_mount(support: Body) -> bool:
@@ -109,7 +135,7 @@ def _middle_top(body: Body) -> Float[Tensor, " 3"]:
     return torch.stack([middle[0], middle[1], body.box[1, 2]])
 
 
-def _spot(thing: Body, support: Body) -> Float[Tensor, " 3"]:
+def spot_on(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Float[Tensor, " 3"]:
     """Where on the support the thing stands best: level, wide enough, near the middle."""
     heights = height_map(support)
     low, sides = support.box[0], support.sides
@@ -126,7 +152,7 @@ def _spot(thing: Body, support: Body) -> Float[Tensor, " 3"]:
                 continue
             around, *_ = _window(heights, at, whole)
             cost += IN_THE_WAY * float((around - rest - SUNK).clamp_min(0).nan_to_num().mean())
-            cost += OFF_MIDDLE * float((((at / CELLS) - 0.5) * sides[:2]).norm())
+            cost += off_middle * float((((at / CELLS) - 0.5) * sides[:2]).norm())
             found.append((cost, *(low[:2] + at * cell).tolist(), rest))
     if not found:
         return _middle_top(support)

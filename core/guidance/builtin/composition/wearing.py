@@ -8,9 +8,15 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.composition.placement import EYES, Body, Placement
+from core.guidance.builtin.composition.placement import EYES, Body, Placement, sized
+from core.guidance.builtin.composition.resting import spot_on
 from core.guidance.builtin.palette import looks
-from core.guidance.builtin.words.companion_words import AROUND_NECKS, EYEWEAR, HEADWEAR
+from core.guidance.builtin.words.companion_words import (
+    AROUND_NECKS,
+    EYEWEAR,
+    HEADWEAR,
+    ON_BACKS,
+)
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.builtin.words.slots import Words
 
@@ -29,6 +35,12 @@ HAT_SINKS = 0.32, 0.5  # of the head's width, of the hat's own height, at most
 EYES_HIGH = 0.3  # training units, at most
 # Where a thing has no eyes, its head: of its height; of its width, at most.
 TOP, CAPPED = 0.12, 0.6
+PACK = (0.3, 0.5)  # of the wearer's longest side
+SHOULDERS = 0.7  # of the way from the feet to the eyes: the middle of a pack
+UPRIGHT = 1.1  # times as high as long
+BACKWARDS = torch.diag(torch.tensor([-1.0, -1.0, 1.0]))
+# Its front up, its top to the head.
+ON_ITS_BACK = torch.tensor([[-1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]])
 SUNK = 0.02
 
 
@@ -52,6 +64,8 @@ def worn(item: Body, wearer: Body) -> Placement:
         middle = there.box.mean(0)
         at = torch.tensor([head.middle[0], head.front - SUNK, head.eyes])
         return place.moved(at - torch.stack([middle[0], there.box[0, 1], middle[2]]))
+    if noun in ON_BACKS:
+        return _on_back(item, wearer, head)
     if noun in AROUND_NECKS:
         return _at_neck(item, wearer, head)
     return _on_head(item, head)
@@ -82,6 +96,31 @@ def _at_neck(tie: Body, wearer: Body, head: Head) -> Placement:
     middle = there.box.mean(0)
     at = torch.tensor([float(head.middle[0]), front + SUNK, z])
     return place.moved(at - torch.stack([middle[0], there.box[1, 1], middle[2]]))
+
+
+def _on_back(pack: Body, wearer: Body, head: Head) -> Placement:
+    stands = wearer.sides[2] > UPRIGHT * wearer.sides[1]
+    turn = BACKWARDS if stands else ON_ITS_BACK
+    place = Placement.of(1.0, turn)
+    place = place.then(sized(pack.placed(place), wearer, *PACK), torch.zeros(3))
+    there = pack.placed(place)
+    middle = there.box.mean(0)
+    if not stands:
+        return place.moved(
+            spot_on(there, wearer)
+            - torch.stack([middle[0], middle[1], there.box[0, 2]])
+            - torch.tensor([0.0, 0.0, SUNK])
+        )
+    low = float(wearer.box[0, 2])
+    z = low + SHOULDERS * (head.eyes - low)
+    rest = wearer.without(*NO_HEAD)
+    near = rest[
+        ((rest[:, 2] - z).abs() < 0.3 * float(there.sides[2]))
+        & ((rest[:, 0] - head.middle[0]).abs() < 0.3 * float(there.sides[0]))
+    ]
+    back = float(near[:, 1].amax()) if len(near) else float(head.middle[1])
+    at = torch.tensor([float(head.middle[0]), back - SUNK, z])
+    return place.moved(at - torch.stack([middle[0], there.box[0, 1], middle[2]]))
 
 
 def head_of(body: Body) -> Head:

@@ -33,7 +33,7 @@ _HOW = (
 _POSTURE = (
     r"(?:[a-z]{3,}ing|sits|stands|lies|sleeps|rests|perched|seated|laid|placed|mounted|balanced|"
     r"curled|parked|set|propped|planted|potted|settled|nestled|tucked|hidden|stuffed|asleep|served|"
-    r"poised|stranded|dozing)"
+    r"poised|stranded|dozing|stuck|embedded|lodged|stabbed|plunged|driven|thrust|buried)"
 )
 _DOING = (
     rf"(?:(?:[a-z]{{3,}}ly )?(?:(?P<first>{_POSTURE})(?: {_HOW})* )?"

@@ -16,15 +16,23 @@ HEADWEAR = frozenset(
 )
 EYEWEAR = frozenset(("sunglasses", "goggles"))
 AROUND_NECKS = frozenset(("scarf", "bow tie"))
-WORN = HEADWEAR | EYEWEAR | AROUND_NECKS | {"gas mask"}
+ON_BACKS = frozenset(("backpack", "jetpack"))
+WORN = HEADWEAR | EYEWEAR | AROUND_NECKS | ON_BACKS | {"gas mask"}
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(
     (
         "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
         "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, longship, "
-        "wagon, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf cart, sled, barrel, "
-        "trash can, crib, pan, toilet, plate, dumpster"
+        "wagon, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf cart, race car, tractor, "
+        "raft, sled, barrel, trash can, crib, pan, toilet, plate, dumpster"
     ).split(", ")
+)
+# What is in these with its point, and what has such a point.
+PIERCED = frozenset(
+    "boulder stump log anvil tree pumpkin watermelon cake bread cheese apple skull shield".split()
+)
+POINTED = frozenset(
+    "sword dagger knife axe pickaxe spear halberd arrow trident fork shovel saw".split()
 )
 # One sits in them as on a bench.
 SEATS = frozenset(
@@ -33,7 +41,8 @@ SEATS = frozenset(
 VESSELS = frozenset("vase bowl bucket mug teacup goblet".split()) | {
     *("flower pot", "cooking pot", "paper cup"),
 }
-ENTERED = CONTAINERS | WORN | SEATS | {"cube"}  # as a box is read by itself
+FLOWERS = frozenset("flower tulip rose sunflower".split())
+ENTERED = CONTAINERS | WORN | SEATS | PIERCED | {"cube"}  # as a box is read by itself
 BOX = "cardboard box"
 # What is worn, hangs or is slender, so that nothing stands on it.
 _SLENDER = (
@@ -63,6 +72,7 @@ NO_PLACES = frozenset(
 THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "street", "field"))
 # What grows on one, and is no thing that is put there.
 GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
+PEDESTALS = ("column", "pallet")
 # A building is stood on by what is not lost on it.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
 # Of these nothing stands on something: they hang, or are flat against it.
@@ -103,8 +113,8 @@ USED = (
 )
 # What a hand does not take: what is worn elsewhere, and what a house is.
 _NOT_HELD = (
-    frozenset("sneaker boot sandal sock shirt trousers dress jacket backpack belt".split())
-    | {"high heel", "roller skate", "jetpack", "chestplate", "parachute", "drum kit"}
+    frozenset("sneaker boot sandal sock shirt trousers dress jacket belt".split())
+    | {"high heel", "roller skate", "chestplate", "parachute", "drum kit"}
     | {"tree", "oak tree", "palm", "christmas tree", "bush"}
     | frozenset(GROUPS["Furniture"]) - {"pillow", "lamp", "mirror"}
 )
@@ -126,7 +136,7 @@ def is_pictured(noun: str) -> bool:
 
 def is_building(noun: str) -> bool:
     """Whether it is one, or a part of the landscape."""
-    return noun in GROUPS["Buildings"]
+    return noun in GROUPS["Buildings"] and noun not in PEDESTALS
 
 
 def is_no_place(phrase: str) -> bool:
@@ -149,14 +159,21 @@ def as_meant(noun: str) -> Relation:
 def may_contain(other: str, first: str) -> bool:
     """Whether the first thing may be in the other; a cactus stands in a pot of its own."""
     potted = other in VESSELS and owns(first, "pot")
+    if first in POINTED and other in PIERCED:
+        return True
     return other in CONTAINERS and not is_building(first) and not potted
+
+
+def may_hold_within(other: str, first: str) -> bool:
+    """Whether "with the other in it" is said of the first: flowers in a vase, an axe in a stump."""
+    stuck = other in POINTED and first in PIERCED
+    return stuck or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
 
 
 def may_wear(first: str, other: str) -> bool:
     """Whether the first thing may wear the other, and has nothing there already."""
-    covered = other in HEADWEAR and (owns(first, "hat") or owns(first, "crown"))
-    masked = other in ("helmet", "gas mask") and owns(first, "visor")
-    return other in WORN and first not in WORN and not covered and not masked
+    covered = other in ("helmet", "gas mask") and owns(first, "visor")
+    return other in WORN and first not in WORN and not covered
 
 
 def may_bear(other: str, first: str) -> bool:

@@ -64,16 +64,22 @@ _PLACED = re.compile(
     r"carries|bears))"
     r" (?P<phrase>(?:(?!(?:with|has|wearing|holding|carrying|on|in|and an?|that|which)\b)"
     r"[\w'-]+ ){1,8}?)"
-    r"(?:(?:sitting|standing|perched|resting|growing|placed|balanced|lying|built) )?"
+    r"(?:(?:sitting|standing|perched|resting|growing|placed|balanced|lying|built|stuck) )?"
     r"(?:(?:(?:on top of|on|in|between|around|over|atop|upon|from) "
     rf"(?:{_WHOSE} (?:(?:one|left|right|front|two|little|tiny|big) )?(?P<place>"
     rf"{'|'.join(_PLACES.values())})(?! of)))"
-    r"|on top of (?P<over>it|them)|on (?P<it>it|them)|(?:on|at) (?:the |its )?(?P<top>top)"
+    r"|on top of (?P<over>it|them)|on (?P<it>it|them)|in(?:side)? (?P<within>it|them)"
+    r"|(?:on|at) (?:the |its )?(?P<top>top)"
     r"(?: of it)?)(?![\w-])",
     re.IGNORECASE,
 )
 _TOPPED = re.compile(
     r"(?<![\w-])(?:topped|crowned) (?:off )?(?:with|by) (?P<phrase>an? [^,;.!?()]+)", re.IGNORECASE
+)
+_FILLED = re.compile(
+    r"(?<![\w-])(?:of|with|full of|filled with|holding|containing) (?P<phrase>"
+    r"(?:(?!(?:on|in|and|with|that|which)\b)[\w'-]+ ?){1,6})",
+    re.IGNORECASE,
 )
 _STOP = re.compile(r"[,;:.!?()]")
 _DECIMAL = re.compile(r"\d\.\d")
@@ -95,7 +101,7 @@ def companions_in(
     """
     found: list[Found] = []
     search = _Search(read, first_of)
-    for step in (search.placed, search.opened):
+    for step in (search.placed, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
@@ -118,6 +124,10 @@ class _Search:
             first = self._first_of(prompt[: match.start()])
             said = match.groupdict()
             place = next(filter(None, (said.get(k) for k in ("place", "it", "over", "top"))), "top")
+            if said.get("within") and not known_as.may_hold_within(
+                named_in(match["phrase"]), first
+            ):
+                continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
             if relation is None or (said.get("it") and is_pictured(first)):
                 continue
@@ -133,6 +143,23 @@ class _Search:
             if one := self._taken(relation, match["phrase"].strip(), first, found):
                 return [one], _cut(prompt, match.start(), match.end(), [])
         return [], prompt
+
+    def filled(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "A vase of red tulips": the vase bears one."""
+        for match in _FILLED.finditer(prompt):
+            first = self._first_of(prompt[: match.start()])
+            phrase = match["phrase"].strip()
+            flower = named_in(phrase) in known_as.FLOWERS
+            later = self._is_later(prompt, match.start())
+            if not flower or first not in known_as.VESSELS or later:
+                continue
+            if one := self._taken("bears", phrase, first, found):
+                return [one], _cut(prompt, match.start(), match.end(), [])
+        return [], prompt
+
+    def _is_later(self, prompt: str, at: int) -> bool:
+        """Whether what stands there is said of a companion: "a table with a vase of roses"."""
+        return any(one.end < at and not one.weak for one in openers_in(prompt))
 
     def opened(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "Riding a horse", "on a red cushion", "wearing a hat and a scarf"."""
@@ -196,9 +223,13 @@ class _Search:
         if weak and relation == "wears" and not is_dressed(first):
             return None
         got = self._read(phrase)
-        if got is None or got.entry.form in known_as.GROWN or _is_part(got.entry, first):
+        if got is None or got.entry.form in known_as.GROWN:
             return None
         other = got.words.noun
+        # A hat of its own is taken off for another kind of hat, and left on for "a hat".
+        another = relation == "wears" and other in known_as.HEADWEAR and not owns(first, other)
+        if not another and _is_part(got.entry, first):
+            return None
         is_so = {
             "on": lambda: known_as.may_bear(other, first),
             "in": lambda: known_as.may_contain(other, first),

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.variants import has_own_look
@@ -15,6 +15,8 @@ from core.guidance.builtin.words.measures import Size
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.words import ALSO_OF_FUR
 from core.io.job import SIZES
+
+Order = Literal["row", "heap", "stack"]
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,8 @@ class Words:
     absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     companions: tuple["Companion", ...] = ()  # other things that are made with it
+    count: int = 1  # how many of it are made
+    order: Order = "row"  # how several of it lie
     notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 

@@ -162,11 +162,11 @@ FILLER = PLACES | frozenset(
     object highly very detailed high quality hd 4k 8k hdr realistic photorealistic beautiful nice
     simple studio lighting isolated background view please style shape cute
     shaped asset game ready material s has have that which for texture textured pattern patterned
-    pair bunch slice piece segment section wearing holding new classic modern traditional elegant
-    lovely pretty infront shot carving replica pose posed warm cool or nor but only extra
-    some please pls plz i you we he she they me my your his her our their want need would make
-    create generate give show draw build design lol idk omg btw tho kinda smth something just only
-    really number also thats too so any yet other nothing else lowkey quite actually basically
+    pair bunch slice piece wedge chunk segment section wearing holding new classic modern
+    traditional elegant lovely pretty infront shot carving replica pose posed warm cool or nor but
+    only extra some please pls plz i you we he she they me my your his her our their want need would
+    make create generate give show draw build design lol idk omg btw tho kinda smth something just
+    only really number also thats too so any yet other nothing else lowkey quite actually basically
     literally""".split()
 )
 # What is short for a word where people type fast.
