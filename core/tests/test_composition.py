@@ -1,6 +1,7 @@
 """Several things as one object: where each lies, and what is painted where."""
 
 import math
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -12,11 +13,12 @@ from core.geometry.assembly import assembled
 from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
 from core.geometry.signed_distance import SolidMesh
 from core.guidance.builtin.composition.composed import Composed, composed_field
+from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.composition.resting import around, height_map, is_stuck, under, upon
 from core.guidance.builtin.composition.wearing import bareheaded, head_of, worn
-from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
@@ -190,7 +192,7 @@ def test_a_sword_is_in_the_stone_with_its_point():
     guidance = composed("a sword in a stone")
     sword, stone = (
         Body.of(thing.words, thing.solid).placed(place)
-        for thing, place in zip(guidance.things, guidance.placements, strict=True)
+        for thing, (place,) in zip(guidance.things, guidance.placements, strict=True)
     )
     blade, grip = sword.of_parts("blade"), sword.of_parts("grip", "hilt", "handle")
     assert float(blade[:, 2].min()) < float(stone.box[1, 2]) < float(blade[:, 2].max())
@@ -251,12 +253,12 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     assert areas is not None and parts is not None
     cat, cushion = guidance.things
     assert len(areas.each) >= len(looks("cat")) + len(looks(cushion.words.noun))
-    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.placements[1])
+    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.placements[1][0])
     low = body_of.verts[body_of.verts[:, 2] < body_of.verts[:, 2].median()]
     colors = [areas.each[k].surface.color for k in areas.of(low).unique().tolist()]
     red = colors[0]
     assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), red
-    head = Body.of(cat.words, cat.solid).placed(guidance.placements[0])
+    head = Body.of(cat.words, cat.solid).placed(guidance.placements[0][0])
     top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
     assert (areas.of(top) < len(looks("cat"))).all()
 
@@ -268,10 +270,12 @@ def test_far_from_a_thing_its_network_is_not_asked():
         asked.append(points)
         return points[:, 0] * 0 - 1.0, points[:, :2] * 0 + 1.0
 
-    at = composed_field([field], [Placement(0.5, torch.zeros(3), torch.eye(3))])
+    at = composed_field([field], [[Placement(0.5, torch.zeros(3), torch.eye(3))]])
     distance, depths = at(torch.tensor([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
     assert asked[0].abs().max() <= 1.5
     assert distance[0] == -0.5 and distance[1] > 3 and (depths[1] < -3).all()
+    far = at(torch.tensor([[5.0, 0.0, 0.0]]))  # nothing near at all
+    assert far[0] > 3
 
 
 def test_a_picture_is_predicted_by_the_thing_at_each_place():
@@ -282,7 +286,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place():
     surface[:, 3] = -1.0
     places = [
         Body.of(t.words, t.solid).placed(p)
-        for t, p in zip(drawn.things, drawn.placements, strict=True)
+        for t, (p,) in zip(drawn.things, drawn.placements, strict=True)
     ]
     # On the left points of the cat, on the right of the cushion.
     for columns, thing in ((slice(8, 24), places[0]), (slice(40, 56), places[1])):
@@ -295,7 +299,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place():
     found = drawn.predict(z, t, views).cond
     first = cat.predict(z, t, views).cond  # the cat is not where it is by itself
     assert found.shape == z.shape and not torch.equal(found, first)
-    owner = drawn._owner(surface)[0]
+    owner = drawn._owner(surface)[0][0]
     assert (owner[24:40, 8:24] == 0).float().mean() > 0.9
     assert (owner[24:40, 40:56] == 1).float().mean() > 0.9
     assert (owner[:20] == 0).all()
@@ -330,3 +334,80 @@ def test_a_material_range_spans_all_things():
     wide = composed("a cat on a golden cushion").ranges()
     assert wide.metallic[0] <= 0.02 and wide.metallic[1] >= 0.9
     assert math.isfinite(wide.roughness[0])
+
+
+def several(prompt: str, count: int, order: str) -> tuple[Body, list[Placement], Body]:
+    one = replace(body(prompt), words=replace(body(prompt).words, count=count, order=order))
+    copies = copies_of(one)
+    return one, copies, one.group(copies)
+
+
+def test_a_row_is_side_by_side_and_touches():
+    one, copies, row = several("a boot", 2, "row")
+    assert len(copies) == 2 and 1.9 < float(row.sides[0] / one.sides[0]) < 2
+    assert float(row.sides[2]) == pytest.approx(float(one.sides[2]))
+    assert row.usual == pytest.approx(one.usual * float(row.longest / one.longest))
+
+
+def test_coins_are_stacked_flat_and_plates_in_one_another():
+    coin, _, stack = several("a coin", 5, "stack")
+    thick = float(coin.sides[:2].min())
+    assert float(stack.sides[2]) == pytest.approx(5 * thick, rel=0.15)
+    plate, _, plates = several("a plate", 5, "stack")
+    assert float(plates.sides[2]) < 4 * float(plate.sides[2])
+
+
+def test_a_heap_is_higher_than_one_and_stands_on_the_ground():
+    one, copies, heap = several("a pumpkin", 7, "heap")
+    assert len(copies) == 7 and float(heap.sides[2]) > 1.3 * float(one.sides[2])
+    assert float(heap.sides[0]) > 1.5 * float(one.sides[0])
+    lowest = [float(place.out(one.verts)[:, 2].min()) for place in copies]
+    assert sum(low < 0.05 for low in lowest) >= 3  # on the ground, the others on them
+    shifts = torch.stack([place.shift for place in copies])
+    assert float(torch.pdist(shifts).min()) > 0.4 * float(one.sides[:2].min())
+
+
+def test_bottles_in_a_heap_lie():
+    one, copies, _ = several("a bottle", 4, "heap")
+    for place in copies:
+        sides = one.placed(place).sides
+        assert float(sides[2]) < float(sides[:2].max())
+
+
+def test_flowers_in_a_bunch_lean_apart_with_their_stems_together():
+    one, copies, bunch = several("a tulip", 3, "heap")
+    feet = torch.stack(
+        [place.out(torch.tensor([[0, 0, float(one.box[0, 2])]])) for place in copies]
+    )
+    assert float(feet.std(0).max()) < 1e-3
+    assert float(bunch.sides[:2].max()) > 1.2 * float(one.sides[:2].max())
+
+
+def test_apples_fill_a_basket_to_above_its_rim():
+    basket = body("a basket")
+    _, _, heap = several("an apple", 6, "heap")
+    there = heap.placed(upon(heap, basket))
+    rim = float(basket.without("handle", "handles")[:, 2].max())
+    assert float(there.box[0, 2]) < rim < float(there.box[1, 2])
+    assert (there.sides[:2] < basket.sides[:2]).all()
+
+
+def test_copies_are_painted_each_as_the_thing_itself():
+    words = replace(parse("a red apple"), count=3)
+    guidance = load_builtin("cpu")
+    apple = guidance.prompted("a red apple", "")
+    three = Composed(guidance, [replace_words(apple, words)], []).of_object(0)
+    (places,) = three.placements
+    assert len(places) == 3
+    alone = apple.of_object(0).areas()
+    together = three.areas()
+    verts = Body.of(words, three.things[0].solid).verts
+    for place in places:
+        same = together.of(place.out(verts)) == alone.of(verts)
+        assert float(same.float().mean()) > 0.95
+    assert len(together.each) == len(alone.each)
+    assert three.parts().copy(torch.stack([p.shift for p in places]))[1].tolist() == [0, 1, 2]
+
+
+def replace_words(prompted, words):
+    return PromptedBuiltin(prompted.builtin, words, prompted.negative)

@@ -114,7 +114,7 @@ class BuiltinGuidance(Guidance):
             warnings.warn(note, PromptWarning, stacklevel=2)
         words = bareheaded(words, words.companions)
         first = PromptedBuiltin(self, words, negative)
-        if not words.companions:
+        if not words.companions and words.count == 1:
             return first
         others = [PromptedBuiltin(self, one.words, negative) for one in words.companions]
         return Composed(self, [first, *others], [one.relation for one in words.companions])

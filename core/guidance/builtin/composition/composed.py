@@ -5,7 +5,7 @@ What the pictures' network paints of an object with several things is, at each p
 of the thing that is there.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Protocol, runtime_checkable
 
@@ -31,6 +31,8 @@ ALONE = (
     "left out, as only what the built-in prior draws itself is made of several things; not a mesh "
     "of yours, nor what is distilled."
 )
+
+BEYOND = 0.1  # training units: what is not in a thing's cube is at least so far from it
 
 
 @runtime_checkable
@@ -103,13 +105,13 @@ class Composed(PromptedGuidance):
         guidance: Guidance,
         things: Sequence[Thing],
         relations: Sequence[Relation],
-        placements: Sequence[Placement] = (),
+        placements: Sequence[Sequence[Placement]] = (),
     ) -> None:
         """
         Args:
             things: the first one, and its companions.
             relations: of the first to each companion.
-            placements: of all things, once they are drawn.
+            placements: of the copies of each thing, once they are drawn.
         """
         super().__init__(guidance)
         self.things, self.relations, self.placements = things, relations, placements
@@ -135,22 +137,23 @@ class Composed(PromptedGuidance):
         """How many times as long as the first thing the whole is."""
         if not self.placements:
             return 1.0
-        placed = list(zip(self._bodies, self.placements, strict=True))
-        each = [body.placed(place) for body, place in placed]
-        verts = torch.cat([body.verts for body in each])
-        return float((verts.amax(0) - verts.amin(0)).max()) / each[0].longest
+        bodies = zip(self._bodies, self.placements, strict=True)
+        verts = torch.cat([place.out(body.verts) for body, each in bodies for place in each])
+        one = self._bodies[0].longest * self.placements[0][0].scale
+        return float((verts.amax(0) - verts.amin(0)).max()) / one
 
     def start_shape(self) -> Shape | None:
         """The drawn things together."""
         if not self.placements:
             return self.things[0].start_shape()
         verts, faces, count = [], [], 0
-        for thing, place in self._placed:
+        for thing, places in self._placed:
             assert thing.solid is not None
             own, corners = thing.solid.mesh
-            verts.append(place.out(own))
-            faces.append(corners + count)
-            count += len(own)
+            for place in places:
+                verts.append(place.out(own))
+                faces.append(corners + count)
+                count += len(own)
         points, corners = torch.cat(verts), torch.cat(faces)
         parts = self.parts()
         assert parts is not None
@@ -189,8 +192,10 @@ class Composed(PromptedGuidance):
     def left_out(self) -> tuple[str, ...]:
         """The things' own notes, and one on each companion that is not there."""
         own = tuple(text for thing in self._here for text in thing.left_out())
-        gone = self.things[len(self._here) :]
-        return own + tuple(f"{thing.words.noun}: {ALONE}" for thing in gone)
+        gone = [thing.words.noun for thing in self.things[len(self._here) :]]
+        first = self.things[0].words
+        more = [f"{first.count} × {first.noun}"] if first.count > 1 and not self.placements else []
+        return own + tuple(f"{what}: {ALONE}" for what in (*more, *gone))
 
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views
@@ -214,14 +219,16 @@ class Composed(PromptedGuidance):
         if not self.placements or surface is None:
             return self.things[0].predict(z_t, t, views, **options)
         surface = torch.nn.functional.adaptive_avg_pool2d(surface, self.latent_size)
-        found = [
-            thing.predict(z_t, t, Views(views.cameras, _seen_from(surface, place)), **options)
-            for thing, place in self._placed
-        ]
-        owner = self._owner(surface)[:, None]
+        owner, copy = self._owner(surface)
+        found = []
+        for index, (thing, places) in enumerate(self._placed):
+            mine = copy * (owner == index)  # elsewhere as the first copy sees it
+            seen = torch.stack([_seen_from(surface, place) for place in places])
+            own = seen.gather(0, mine[None, :, None].expand_as(seen[:1]))[0]
+            found.append(thing.predict(z_t, t, Views(views.cameras, own), **options))
         first, *others = found
         for index, other in enumerate(others, 1):
-            mine = owner == index
+            mine = owner[:, None] == index
             both = zip(first[:2], other[:2], strict=True)
             cond, uncond = (b if a is None or b is None else b.where(mine, a) for a, b in both)
             negative = first.negative
@@ -231,22 +238,25 @@ class Composed(PromptedGuidance):
             first = first._replace(cond=cond, uncond=uncond, negative=negative)
         return first
 
-    def _owner(self, surface: Float[Tensor, "b 7 s s"]) -> Int[Tensor, "b s s"]:
-        """The thing at each place of the pictures; the first where nothing is."""
-        assert self._parts is not None
+    def _owner(
+        self, surface: Float[Tensor, "b 7 s s"]
+    ) -> tuple[Int[Tensor, "b s s"], Int[Tensor, "b s s"]]:
+        """The thing at each place of the pictures, and which copy of it; the first where nothing
+        is."""
         seen = surface[:, 3] > -1
         covered = (surface[:, 3] + 1) / 2
         points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
         owner = torch.zeros_like(seen, dtype=torch.long)
-        owner[seen] = self._parts.thing(points[seen])
-        return owner
+        copy = torch.zeros_like(owner)
+        owner[seen], copy[seen] = self._parts.copy(points[seen])
+        return owner, copy
 
     @property
     def _here(self) -> Sequence[Thing]:
         return self.things if self.placements else self.things[:1]
 
     @property
-    def _placed(self) -> list[tuple[Thing, Placement]]:
+    def _placed(self) -> list[tuple[Thing, Sequence[Placement]]]:
         return list(zip(self.things, self.placements, strict=True))
 
     @cached_property
@@ -255,14 +265,14 @@ class Composed(PromptedGuidance):
 
     @cached_property
     def _parts(self) -> "ComposedParts":
-        known = [(thing.parts(), place) for thing, place in self._placed]
-        return ComposedParts([(parts, place) for parts, place in known if parts is not None])
+        known = [(thing.parts(), places) for thing, places in self._placed]
+        return ComposedParts([(parts, places) for parts, places in known if parts is not None])
 
 
 class ComposedParts(KnownParts):
-    """The parts of several things, each thing in its place."""
+    """The parts of several things, the copies of each in their places."""
 
-    def __init__(self, placed: Sequence[tuple[KnownParts, Placement]]) -> None:
+    def __init__(self, placed: Sequence[tuple[KnownParts, Sequence[Placement]]]) -> None:
         self.placed = placed
         each = [parts.forms for parts, _ in placed]
         flat = tuple(share for forms in each for share in forms.flat)
@@ -274,56 +284,81 @@ class ComposedParts(KnownParts):
 
     @cached_property
     def pieces(self) -> list[Piece]:
-        """Each thing's, as it is by itself."""
-        return [piece for parts, _ in self.placed for piece in parts.pieces]
+        """Each copy's, as the thing has them by itself."""
+        return [piece for parts, places in self.placed for _ in places for piece in parts.pieces]
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
         """A piece's surface in its place."""
-        for parts, place in self.placed:
-            if index < len(parts.pieces):
-                verts, faces = parts.surface_of(index, exact)
-                return place.out(verts), faces
-            index -= len(parts.pieces)
+        for parts, places in self.placed:
+            for place in places:
+                if index < len(parts.pieces):
+                    verts, faces = parts.surface_of(index, exact)
+                    return place.out(verts), faces
+                index -= len(parts.pieces)
         raise IndexError(index)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances from their exact surfaces."""
-        found = [parts.near(place.into(points)) * place.scale for parts, place in self.placed]
+        found = [
+            torch.stack([parts.near(place.into(points)) * place.scale for place in places]).amin(0)
+            for parts, places in self.placed
+        ]
         return torch.cat(found, 1)
 
-    def thing(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
-        """The thing that each point is of."""
-        return torch.stack([each.amin(1) for each in self._each(points)], 1).argmin(1)
+    def copy(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Int[Tensor, " n"]]:
+        """The thing that each point is of, and which copy of it."""
+        each = [
+            torch.stack([at_place(parts.distances, place, points).amin(1) for place in places], 1)
+            for parts, places in self.placed
+        ]
+        nearest = torch.stack([of.amin(1) for of in each], 1).argmin(1)
+        copies = torch.stack([of.argmin(1) for of in each], 1)
+        return nearest, copies.gather(1, nearest[:, None])[:, 0]
 
     def _distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
-        return torch.cat(self._each(points), 1)
-
-    def _each(self, points: Float[Tensor, "n 3"]) -> list[Float[Tensor, "n p"]]:
         found = []
-        for parts, place in self.placed:
-            own, beyond = within_cube(place.into(points))
-            known = parts.distances(own)[:, : len(parts.forms.flat)]
-            found.append((known + beyond[:, None]) * place.scale)
-        return found
+        for parts, places in self.placed:
+            each = [at_place(parts.distances, place, points) for place in places]
+            found.append(torch.stack(each).amin(0)[:, : len(parts.forms.flat)])
+        return torch.cat(found, 1)
 
 
-def within_cube(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, "n 3"], Float[Tensor, " n"]]:
-    """The nearest points that a thing's network knows, and how far off they are."""
-    own = points.clamp(-EXTENT, EXTENT)
-    return own, (points - own).norm(dim=1)
+def at_place(
+    field: Callable[[Tensor], Tensor], place: Placement, points: Float[Tensor, "n 3"]
+) -> Float[Tensor, "n p"]:
+    """A thing's distances where it lies. Of points beyond what its network knows they are no less
+    than how far beyond."""
+    own = place.into(points)
+    near = (own.abs() <= EXTENT).all(1)
+    beyond = (own.abs() - EXTENT).clamp_min(0).norm(dim=1) + BEYOND
+    if not near.any():
+        near = near | (torch.arange(len(near)) < 1)  # a network takes no empty batch
+    known = field(own[near].clamp(-EXTENT, EXTENT))
+    found = beyond[:, None].expand(-1, known.shape[1]).clone()
+    found[near] = known + (own[near].abs() - EXTENT).clamp_min(0).norm(dim=1)[:, None]
+    return found * place.scale
 
 
-def composed_field(fields: Sequence[Field], placements: Sequence[Placement]) -> Field:
+def composed_field(fields: Sequence[Field], placements: Sequence[Sequence[Placement]]) -> Field:
     """The areas of all things, from those of each."""
 
     def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
         distances, depths = [], []
-        for field, place in zip(fields, placements, strict=True):
-            own, beyond = within_cube(place.into(points))
-            distance, depth = field(own)
-            distances.append((distance + beyond) * place.scale)
-            depths.append((depth - beyond[:, None]) * place.scale)
+        for field, places in zip(fields, placements, strict=True):
+            each = torch.stack([at_place(_in_one(field), place, points) for place in places])
+            distances.append(each[..., 0].amin(0))
+            depths.append(-each[..., 1:].amin(0))
         return torch.stack(distances, 1).amin(1), torch.cat(depths, 1)
+
+    return at
+
+
+def _in_one(field: Field) -> Callable[[Tensor], Tensor]:
+    """A field's distance, then how far out of each area."""
+
+    def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n a"]:
+        distance, depths = field(points)
+        return torch.cat([distance[:, None], -depths], 1)
 
     return at
 

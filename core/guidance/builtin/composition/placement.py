@@ -1,5 +1,6 @@
 """Where a thing of a composition lies, and what is known of its form when it is placed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -36,6 +37,12 @@ class Placement:
         """Scaled about the origin, then moved."""
         return Placement(self.scale * scale, self.shift * scale + shift, self.turn)
 
+    def of_copy(self, copy: "Placement") -> "Placement":
+        """That of a copy in a group that lies here."""
+        return Placement(
+            self.scale * copy.scale, self.out(copy.shift[None])[0], self.turn @ copy.turn
+        )
+
     def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
         """The thing's own points where they come to lie."""
         return self.scale * points @ self.turn.T.to(points) + self.shift.to(points)
@@ -53,6 +60,7 @@ class Body:
     verts: Float[Tensor, "v 3"]
     faces: Int[Tensor, "f 3"]
     part: Int[Tensor, " v"]
+    ones: float = 0.0  # the longest side of one of them, of a group; 0: it is one
 
     @classmethod
     def of(cls, words: Words, solid: Solid) -> "Body":
@@ -67,7 +75,15 @@ class Body:
 
     def placed(self, placement: Placement) -> "Body":
         """The thing there."""
-        return replace(self, verts=placement.out(self.verts))
+        ones = self.ones * placement.scale
+        return replace(self, verts=placement.out(self.verts), ones=ones)
+
+    def group(self, copies: "Sequence[Placement]") -> "Body":
+        """Several of the thing as one."""
+        verts = torch.cat([place.out(self.verts) for place in copies])
+        faces = torch.cat([self.faces + k * len(self.verts) for k in range(len(copies))])
+        part = self.part.repeat(len(copies))
+        return replace(self, verts=verts, faces=faces, part=part, ones=self.longest)
 
     @cached_property
     def box(self) -> Float[Tensor, "2 3"]:
@@ -87,8 +103,9 @@ class Body:
     @property
     def usual(self) -> float:
         """How long the longest is, in metres."""
-        size = self.words.size
-        return size.longest(self.sides.tolist()) if size else self.words.usual()[0]
+        if self.words.size:
+            return self.words.size.longest(self.sides.tolist())
+        return self.words.usual()[0] * (self.longest / self.ones if self.ones else 1.0)
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of parts of these names."""

@@ -7,7 +7,7 @@ from torch import Tensor
 from core.geometry.init_shape import sample_surface
 from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.words.companion_words import CONTAINERS, PIERCED, POINTED
+from core.guidance.builtin.words.companion_words import CONTAINERS, FLOWERS, PIERCED, POINTED
 from core.guidance.builtin.words.living import is_animal
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
@@ -20,6 +20,8 @@ LEVEL = 0.8  # quantile of the heights under a foot that it rests on
 # What a place costs: for each unit of height by which the ground under the foot differs; for each
 # share of the foot without ground; for each unit off the middle; for what stands in the way.
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
+FILLED, HEAPED = 0.78, 0.4  # of a container's width; of a heap's height, what is over the rim
+OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps"
 SEAT = 0.8  # off the middle of what one sits in
 SUNK = 0.02  # training units, by which what rests goes into what is under it
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
@@ -60,7 +62,7 @@ def around(thing: Body, container: Body) -> Placement:
     place = Placement.of(max(scale, float(wide.max())))
     there = container.placed(place)
     depth = IN * min(float(thing.sides[2]), float(there.sides[2]))
-    spot = _middle_top(there)
+    spot = _rim(there)
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, depth]))
 
 
@@ -84,6 +86,8 @@ def upon(thing: Body, carrier: Body) -> Placement:
         borne = thing.placed(place)
         deep = torch.tensor([0.0, 0.0, STUCK * float(borne.sides[2])])
         return place.moved(spot_on(borne, carrier) - _foot(borne) - deep)
+    if carrier.words.noun in CONTAINERS and thing.words.count > 1 and not is_bunch(thing):
+        return _filling(thing, carrier)
     if carrier.words.noun in CONTAINERS:
         inverse = around(thing, carrier)
         # What is around the thing, seen from the other side.
@@ -92,6 +96,23 @@ def upon(thing: Body, carrier: Body) -> Placement:
     place = Placement.of(min(sized(thing, carrier, *BORNE), float(wide)))
     borne = thing.placed(place)
     return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
+
+
+def is_bunch(thing: Body) -> bool:
+    """Whether it is several flowers, whose stems are together."""
+    return thing.words.count > 1 and thing.words.noun in FLOWERS
+
+
+def _filling(heap: Body, container: Body) -> Placement:
+    """Where a heap is that fills a container to above its rim."""
+    wide = FILLED * float((container.sides[:2] / heap.sides[:2]).min())
+    place = Placement.of(wide)
+    there = heap.placed(place)
+    rim = _rim(container)
+    up = torch.tensor([0.0, 0.0, HEAPED * float(there.sides[2])])
+    middle = there.box.mean(0)
+    top = torch.stack([middle[0], middle[1], there.box[1, 2]])
+    return place.moved(rim - top + up)
 
 
 def _is_mount(support: Body) -> bool:
@@ -128,6 +149,13 @@ def _foot_box(thing: Body) -> Float[Tensor, "2 3"]:
     lowest = thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]
     foot = thing.verts[lowest]
     return torch.stack([foot.amin(0), foot.amax(0)])
+
+
+def _rim(container: Body) -> Float[Tensor, " 3"]:
+    """The middle of what a container is open at."""
+    middle = _middle_top(container)
+    body = container.without(*OVER_THE_RIM)
+    return torch.stack([middle[0], middle[1], body[:, 2].amax()])
 
 
 def _middle_top(body: Body) -> Float[Tensor, " 3"]:
@@ -199,6 +227,14 @@ def _window(
     high = (at + half).ceil().long().clamp(1, CELLS)
     high = torch.maximum(high, low + 1)
     return heights[low[0] : high[0], low[1] : high[1]]
+
+
+def height_map_at(verts: Float[Tensor, "v 3"], side: float, cells: int) -> Float[Tensor, "c c"]:
+    """The highest of points over each cell of a square about the origin; low where none is."""
+    at = ((verts[:, :2] / side + 0.5) * cells).long().clamp(0, cells - 1)
+    heights = torch.full((cells * cells,), -torch.inf)
+    heights = heights.scatter_reduce(0, at[:, 0] * cells + at[:, 1], verts[:, 2], "amax")
+    return heights.view(cells, cells)
 
 
 def height_map(body: Body) -> Float[Tensor, "c c"]:

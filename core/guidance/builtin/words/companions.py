@@ -226,6 +226,8 @@ class _Search:
         if got is None or got.entry.form in known_as.GROWN:
             return None
         other = got.words.noun
+        if relation == "holds" and other in known_as.ON_BACKS:
+            relation = "wears"
         # A hat of its own is taken off for another kind of hat, and left on for "a hat".
         another = relation == "wears" and other in known_as.HEADWEAR and not owns(first, other)
         if not another and _is_part(got.entry, first):

@@ -1,0 +1,131 @@
+"""Several of a thing: in a row, in a heap, one on another, or as a bunch of flowers."""
+
+import math
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.resting import height_map_at
+from core.guidance.builtin.words.companion_words import FLOWERS
+
+TOUCHING = 0.02  # of a side: how far neighbours go into each other, so that they are one mesh
+LYING = 1.5  # times as high as wide: what lies down in a heap
+TRIES = 40  # places for each of a heap
+SPREAD = 0.42  # of a thing's width, for each square root of their number: a heap's radius
+INWARDS = 0.15  # what a unit off a heap's middle costs, in heights
+SOME = 1500  # vertices that are dropped
+CELLS = 48  # of a heap's height map, along a side
+TURNED = math.radians(65)  # about the vertical, at most: faces look forward
+FLAT = 0.6  # times as thick as wide
+QUARTER = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # x to -z
+LEANING = math.radians(24)  # flowers in a bunch
+GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a disc (Vogel 1979)
+
+
+def copies_of(thing: Body) -> list[Placement]:
+    """Where each of them lies, as the words have it."""
+    count = thing.words.count
+    if count == 1:
+        return [Placement.of()]
+    if thing.words.order == "stack":
+        return _stack(thing, count)
+    if thing.words.order == "heap":
+        return _bunch(thing, count) if thing.words.noun in FLOWERS else _heap(thing, count)
+    return _row(thing, count)
+
+
+def _row(thing: Body, count: int) -> list[Placement]:
+    step = torch.tensor([float(thing.sides[0]) * (1 - TOUCHING), 0.0, 0.0])
+    return [Placement.of().moved(step * (k - (count - 1) / 2)) for k in range(count)]
+
+
+def _stack(thing: Body, count: int) -> list[Placement]:
+    """Each on the one below, as deep in it as it goes: plates, cups."""
+    laid, generator = laid_down(thing, 1.0), torch.Generator().manual_seed(0)
+    return _piled(thing, laid, count, 0.0, generator)
+
+
+def _bunch(thing: Body, count: int) -> list[Placement]:
+    """Flowers that lean away from one another, their stems together."""
+    foot = torch.tensor([0.0, 0.0, float(thing.box[0, 2])])
+    found = []
+    for k in range(count):
+        way = about_z(2 * math.pi * (k + 0.25) / count)
+        turn = way @ about_x(LEANING)
+        found.append(Placement.of(1.0, turn).moved(foot - turn @ foot))
+    return found
+
+
+def _heap(thing: Body, count: int) -> list[Placement]:
+    """Dropped one after another to where each comes to lie lowest."""
+    laid, generator = laid_down(thing, LYING), torch.Generator().manual_seed(0)
+    wide = float((thing.verts @ laid.T).amax(0)[:2].max()) * 2
+    return _piled(thing, laid, count, SPREAD * wide * math.sqrt(count), generator)
+
+
+def _piled(
+    thing: Body,
+    laid: Float[Tensor, "3 3"],
+    count: int,
+    radius: float,
+    generator: torch.Generator,
+) -> list[Placement]:
+    side = 2 * (radius + thing.longest)
+    heights = torch.zeros(CELLS, CELLS)  # the ground
+    found: list[Placement] = []
+    for _ in range(count):
+        place, verts = _lowest(thing, laid, heights, radius, side, generator)
+        found.append(place)
+        heights = torch.maximum(heights, height_map_at(verts, side, CELLS))
+    return found
+
+
+def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
+    """The turn that lays down what is flat, as a coin is, or more than so many times ``high``er
+    than wide."""
+    x, y, z = thing.sides.tolist()
+    if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
+        return about_x(-math.pi / 2) if y < x else QUARTER
+    return about_x(-math.pi / 2) if z > high * max(x, y) and high > 1 else torch.eye(3)
+
+
+def _lowest(
+    thing: Body,
+    laid: Float[Tensor, "3 3"],
+    heights: Float[Tensor, "c c"],
+    radius: float,
+    side: float,
+    generator: torch.Generator,
+) -> tuple[Placement, Float[Tensor, "v 3"]]:
+    """The next one's place, and its points there."""
+    best, cost = None, math.inf
+    begin = 2 * math.pi * float(torch.rand(1, generator=generator))
+    for k in range(TRIES):
+        turn = about_z(TURNED * (2 * float(torch.rand(1, generator=generator)) - 1)) @ laid
+        far, angle = radius * math.sqrt((k + 0.5) / TRIES), begin + GOLDEN * k
+        verts = thing.verts @ turn.T
+        verts = verts + torch.tensor([far * math.cos(angle), far * math.sin(angle), 0.0])
+        some = verts[:: max(len(verts) // SOME, 1)]
+        cell = ((some[:, :2] / side + 0.5) * CELLS).long().clamp(0, CELLS - 1)
+        drop = float((heights[cell[:, 0], cell[:, 1]] - some[:, 2]).max())
+        drop -= TOUCHING * float(thing.sides.min())
+        top = float(some[:, 2].max()) + drop + INWARDS * far
+        if top < cost:
+            shift = verts[0] - turn @ thing.verts[0] + torch.tensor([0.0, 0.0, drop])
+            best, cost = Placement.of(1.0, turn).moved(shift), top
+    assert best is not None
+    return best, best.out(thing.verts)
+
+
+def about_z(angle: float) -> Float[Tensor, "3 3"]:
+    """A rotation about the vertical."""
+    c, s = math.cos(angle), math.sin(angle)
+    return torch.tensor([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def about_x(angle: float) -> Float[Tensor, "3 3"]:
+    """A rotation about the axis from left to right."""
+    c, s = math.cos(angle), math.sin(angle)
+    return torch.tensor([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
