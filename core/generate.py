@@ -131,8 +131,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     ranks = inputs.ranks
     inputs = in_proportion(facing(run, inputs, progress), job)
     guidance = inputs.guidance
-    run.grown = guidance.grown()
-    for text in guidance.left_out():
+    run.size_m = guidance.size_m()
+    for text in () if job.region else guidance.left_out():
         progress.warn(text)
     if job.reshape and ranks.first:
         inputs = replace(inputs, shape=reshaped_mesh(run, inputs, progress))
@@ -240,8 +240,8 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
     """
     if job.command != "generate" or inputs.config.geometry.start != "learned":
         return inputs
-    # Pictures know one thing alone.
-    whole = not learns(inputs.config.geometry)
+    # Pictures and guides are of one thing.
+    whole = not learns(inputs.config.geometry) and inputs.shape is None
     return replace(inputs, guidance=inputs.guidance.of_object(job.seed, whole))
 
 

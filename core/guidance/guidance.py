@@ -229,9 +229,9 @@ class PromptedGuidance(ABC):
         """The solid of that object, for Ψ to start from; None where there is none."""
         return None
 
-    def grown(self) -> float:
-        """How many times as long as the thing itself that object is, with what is made with it."""
-        return 1.0
+    def size_m(self) -> float | None:
+        """The longest side of that object in metres; None: the prompt's words alone say it."""
+        return None
 
     def areas(self) -> Areas | None:
         """The areas of that object; None where its parts are not known."""

@@ -38,8 +38,8 @@ class RunFolder:
         self.timings: dict[str, float] = {}
         # Radians about +Z by which its guide is turned; the previews are turned back.
         self.turn = 0.0
-        # How many times as long as the prompt's thing the asset is, with what is made with it.
-        self.grown = 1.0
+        # Of the asset's longest side in metres, where the guidance says it.
+        self.size_m: float | None = None
 
     @classmethod
     def create(cls, path: Path, job: Job) -> "RunFolder":

@@ -71,7 +71,7 @@ def size_of(run: RunFolder, verts: Float[Tensor, "v 3"]) -> float:
     """The longest side in metres of the run's asset, ``verts`` in any unit, +Z up: the user's or
     the prompt's, or else the thing's usual one."""
     extents = (verts.amax(0) - verts.amin(0)).tolist()
-    return run.job.size_m or longest_side(run.job.prompt, extents, run.grown)
+    return run.job.size_m or run.size_m or longest_side(run.job.prompt, extents)
 
 
 def write_shape(

@@ -9,20 +9,31 @@ import torch
 
 from core.camera import Cameras
 from core.config import DRAFT
+from core.generate import Inputs, of_seed
 from core.geometry.assembly import assembled
 from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
 from core.geometry.signed_distance import SolidMesh
-from core.guidance.builtin.composition.composed import Composed, composed_field
+from core.guidance.builtin.composition.arranged import arranged
+from core.guidance.builtin.composition.composed import Composed, composed_field, seen_from
 from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, sized
-from core.guidance.builtin.composition.resting import around, height_map, is_stuck, under, upon
+from core.guidance.builtin.composition.resting import (
+    TILTED,
+    around,
+    height_map,
+    is_stuck,
+    under,
+    upon,
+)
 from core.guidance.builtin.composition.wearing import bareheaded, head_of, worn
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import Views
+from core.io.job import Job
+from core.job_config import config_of
 
 QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
@@ -37,7 +48,7 @@ def body(prompt: str) -> Body:
 @cache
 def composed(prompt: str) -> Composed:
     found = load_builtin("cpu").prompted(prompt, "").of_object(0)
-    assert isinstance(found, Composed) and found.placements
+    assert isinstance(found, Composed) and found.made
     return found
 
 
@@ -192,7 +203,7 @@ def test_a_sword_is_in_the_stone_with_its_point():
     guidance = composed("a sword in a stone")
     sword, stone = (
         Body.of(thing.words, thing.solid).placed(place)
-        for thing, (place,) in zip(guidance.things, guidance.placements, strict=True)
+        for thing, (place,) in zip(guidance.things, guidance.made.places, strict=True)
     )
     blade, grip = sword.of_parts("blade"), sword.of_parts("grip", "hilt", "handle")
     assert float(blade[:, 2].min()) < float(stone.box[1, 2]) < float(blade[:, 2].max())
@@ -228,6 +239,64 @@ def test_a_pig_bears_its_backpack():
     assert float(centered(pack)[2]) > float(body("a pig").box[1, 2]) - 0.3
 
 
+def test_each_of_several_wears_a_hat():
+    pair = [
+        replace(body(p), words=replace(body(p).words, count=n))
+        for p, n in (("a penguin", 2), ("a beanie", 1))
+    ]
+    penguins, hats = arranged(pair[0], [("wears", pair[1])])
+    assert len(penguins) == len(hats) == 2
+    for penguin, hat in zip(penguins, hats, strict=True):
+        there = body("a beanie").placed(hat)
+        assert float(centered(there)[0]) == pytest.approx(float(penguin.shift[0]), abs=0.05)
+    two = replace(body("a pillow"), words=replace(body("a pillow").words, count=2))
+    cats, pillows = arranged(replace(body("a cat"), words=pair[0].words), [("on", two)])
+    assert len(pillows) == 2
+    apart = [
+        float((cat.shift - pillow.shift)[0]) for cat, pillow in zip(cats, pillows, strict=True)
+    ]
+    assert max(map(abs, apart)) < 0.1
+
+
+def test_the_second_thing_is_in_the_other_hand():
+    robot = body("a robot")
+    first, second = (
+        body(p).placed(held(body(p), robot, k == 1)) for k, p in enumerate(("a sword", "a flag"))
+    )
+    assert float(centered(first)[0]) < 0 < float(second.of_parts("pole", "staff")[:, 0].mean())
+    places = arranged(robot, [("holds", body("a sword")), ("holds", body("a flag"))])
+    assert float(places[1][0].shift[0]) * float(places[2][0].shift[0]) < 0
+
+
+def test_a_crab_without_claws_holds_something_too():
+    crab = load_builtin("cpu").prompted("a crab without claws", "").of_object(0)
+    place = held(body("a flag"), Body.of(crab.words, crab.solid))
+    assert torch.isfinite(place.shift).all()
+
+
+@pytest.mark.parametrize("noun", ["a golem", "a minotaur", "a crab", "a butterfly"])
+def test_shoulders_and_claws_are_no_head(noun):
+    who = body(noun)
+    eyes = who.of_parts("eyes")
+    assert head_of(who).wide < 0.75 * float(who.sides[0])
+    assert head_of(who).wide <= 2 * float(eyes[:, 0].max() - eyes[:, 0].min())
+
+
+@pytest.mark.parametrize("noun", ["a christmas tree", "a banana", "an acorn"])
+def test_a_hat_on_what_is_pointed_is_seen(noun):
+    hat = body("a hat").placed(worn(body("a hat"), body(noun)))
+    assert float(hat.sides[0]) > 0.25 * float(body(noun).sides[:2].min())
+
+
+def test_a_mugs_opening_is_in_the_middle_of_its_cup():
+    mug = body("a mug")
+    rose = body("a rose").placed(upon(body("a rose"), mug))
+    cup = mug.of_parts("body")
+    middle = (cup.amin(0) + cup.amax(0)) / 2
+    foot = rose.verts[rose.verts[:, 2] < rose.box[0, 2] + 0.1 * rose.sides[2]]
+    assert float((foot.mean(0) - middle)[:2].norm()) < 0.15
+
+
 def test_a_hat_takes_the_place_of_a_hat():
     wizard, crown = parse("a wizard"), parse("a crown")
     assert bareheaded(wizard, [("wears", crown)]).absent == ("hat",)
@@ -253,12 +322,11 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     assert areas is not None and parts is not None
     cat, cushion = guidance.things
     assert len(areas.each) >= len(looks("cat")) + len(looks(cushion.words.noun))
-    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.placements[1][0])
+    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.made.places[1][0])
     low = body_of.verts[body_of.verts[:, 2] < body_of.verts[:, 2].median()]
     colors = [areas.each[k].surface.color for k in areas.of(low).unique().tolist()]
-    red = colors[0]
-    assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), red
-    head = Body.of(cat.words, cat.solid).placed(guidance.placements[0][0])
+    assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), colors
+    head = Body.of(cat.words, cat.solid).placed(guidance.made.places[0][0])
     top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
     assert (areas.of(top) < len(looks("cat"))).all()
 
@@ -272,62 +340,91 @@ def test_far_from_a_thing_its_network_is_not_asked():
 
     at = composed_field([field], [[Placement(0.5, torch.zeros(3), torch.eye(3))]])
     distance, depths = at(torch.tensor([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
-    assert asked[0].abs().max() <= 1.5
+    assert [len(points) for points in asked] == [1]
     assert distance[0] == -0.5 and distance[1] > 3 and (depths[1] < -3).all()
     far = at(torch.tensor([[5.0, 0.0, 0.0]]))  # nothing near at all
     assert far[0] > 3
 
 
-def test_a_picture_is_predicted_by_the_thing_at_each_place():
-    drawn = composed("a cat on a red cushion")
-    cat, cushion = drawn.things
+@pytest.mark.parametrize("negative", ["", "red"])
+def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
+    prompted = load_builtin("cpu").prompted("a cat on a red cushion", negative)
+    drawn = prompted.of_object(0)
     cameras = Cameras.orbit([20.0], [10.0], 2.75, 40.0)
     surface = torch.zeros(1, 7, 64, 64)
     surface[:, 3] = -1.0
-    places = [
-        Body.of(t.words, t.solid).placed(p)
-        for t, (p,) in zip(drawn.things, drawn.placements, strict=True)
-    ]
-    # On the left points of the cat, on the right of the cushion.
-    for columns, thing in ((slice(8, 24), places[0]), (slice(40, 56), places[1])):
-        some = thing.verts[torch.linspace(0, len(thing.verts) - 1, 16 * 16).long()]
+    sides = slice(8, 24), slice(40, 56)  # on the left points of the cat, then of the cushion
+    for columns, thing, (place,) in zip(sides, drawn.things, drawn.made.places, strict=True):
+        verts = Body.of(thing.words, thing.solid).placed(place).verts
+        some = verts[torch.linspace(0, len(verts) - 1, 16 * 16).long()]
         surface[0, 3, 24:40, columns] = 1.0
         surface[0, 4:, 24:40, columns] = some.T.reshape(3, 16, 16)
-    views = Views(cameras, surface)
     z = torch.randn(1, 4, 64, 64, generator=torch.Generator().manual_seed(0))
-    t = torch.tensor([300])
-    found = drawn.predict(z, t, views).cond
-    first = cat.predict(z, t, views).cond  # the cat is not where it is by itself
-    assert found.shape == z.shape and not torch.equal(found, first)
-    owner = drawn._owner(surface)[0][0]
-    assert (owner[24:40, 8:24] == 0).float().mean() > 0.9
-    assert (owner[24:40, 40:56] == 1).float().mean() > 0.9
-    assert (owner[:20] == 0).all()
-    other = cushion.predict(z, t, Views(cameras, surface)).cond
-    assert other.shape == z.shape
+    t, options = torch.tensor([300]), {"apart": bool(negative)}
+    found = drawn.predict(z, t, Views(cameras, surface), **options)
+    owner, copy = drawn._owner(surface)
+    assert (owner[0, :20] == 0).all() and (copy == 0).all()
+    for index, thing in enumerate(drawn.things):
+        (place,) = drawn.made.places[index]
+        own = thing.predict(z, t, Views(cameras, seen_from(surface, place)), **options)
+        mine = owner == index
+        assert (mine[0, 24:40, sides[index]]).float().mean() > 0.9
+        for of, alone in zip(found, own, strict=True):
+            assert (of is None) == (alone is None)
+            if of is not None:
+                pixels = mine[:, None].expand_as(of)
+                torch.testing.assert_close(of[pixels], alone[pixels])
+                assert not torch.allclose(of, alone)  # elsewhere it is the other's
 
 
-def test_an_object_grows_by_what_is_made_with_it():
-    assert composed("a cat on a red cushion").grown() > 1
-    on_books = composed("a rabbit on a stack of books")
-    assert 1.2 < on_books.grown() < 3
-    assert load_builtin("cpu").prompted("a rabbit", "").grown() == 1
+def test_an_object_is_as_large_as_it_is_with_what_goes_with_it():
+    alone = body("a rabbit").usual
+    assert 1.1 * alone < composed("a rabbit on a stack of books").size_m() < 3 * alone
+    stated = composed("a 60 cm tall rabbit on a stack of books").size_m()
+    assert 0.65 < stated < 1.8
+    assert load_builtin("cpu").prompted("a rabbit", "").of_object(0).size_m() is None
+
+
+def test_a_turned_and_a_grouped_body_keep_their_scale():
+    board = body("a 2 m tall surfboard")
+    laid = board.placed(Placement.of(1.0, TILTED))
+    assert board.usual == pytest.approx(2) and laid.usual == pytest.approx(2, rel=0.05)
+    small = board.placed(Placement.of(0.5))
+    assert small.usual == pytest.approx(2) and small.longest < board.longest
 
 
 def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone():
-    prompted = load_builtin("cpu").prompted("a cat on a red cushion", "")
+    prompted = load_builtin("cpu").prompted("a wizard wearing a golden crown", "")
     alone = prompted.of_object(0, whole=False)
     for one in (prompted, alone):
         (note,) = one.left_out()
-        assert note.startswith("pillow: left out") or "left out" in note
-        assert one.grown() == 1
-    cat = load_builtin("cpu").prompted("a cat", "").of_object(0)
-    assert alone.parts().forms == cat.parts().forms
-    assert composed("a cat on a red cushion").left_out() == ()
-    guided = composed("a cat on a red cushion").in_proportion(
-        Mesh(body("a cat").verts, body("a cat").faces), 0.5, 0.02
-    )
-    assert guided.left_out() and not guided.placements
+        assert note.startswith("crown: left out")
+        assert one.size_m() is None
+    wizard = load_builtin("cpu").prompted("a wizard", "").of_object(0)
+    assert alone.parts().forms == wizard.parts().forms
+    assert alone.alone.words.absent == ()  # it has its hat
+    whole = prompted.of_object(0)
+    assert whole.left_out() == () and whole.things[0].words.absent == ("hat",)
+    assert whole.alone.words.absent == ()
+    mesh = Mesh(body("a wizard").verts, body("a wizard").faces)
+    guided = alone.in_proportion(mesh, 0.5, 0.02)
+    assert guided.left_out() and guided.start_shape() is not None
+
+
+@pytest.mark.parametrize(
+    ("preset", "guide", "whole"),
+    [("draft", False, True), ("draft", True, False), ("sds", False, False)],
+)
+def test_things_are_made_together_without_a_guide_where_nothing_is_distilled(preset, guide, whole):
+    job = Job(prompt="a cat on a cushion", preset=preset)
+    config = config_of(job)
+    config = replace(config, geometry=replace(config.geometry, start="learned"))
+    prompted = load_builtin("cpu").prompted(job.prompt, "")
+    shape = Mesh(body("a cat").verts, body("a cat").faces) if guide else None
+    inputs = Inputs(config, torch.device("cpu"), prompted, torch.zeros(1), shape)
+    made = of_seed(inputs, job).guidance
+    assert isinstance(made, Composed) and (made.made is not None) == whole
+    assert bool(made.left_out()) != whole
 
 
 def test_a_material_range_spans_all_things():
@@ -396,8 +493,8 @@ def test_copies_are_painted_each_as_the_thing_itself():
     words = replace(parse("a red apple"), count=3)
     guidance = load_builtin("cpu")
     apple = guidance.prompted("a red apple", "")
-    three = Composed(guidance, [replace_words(apple, words)], []).of_object(0)
-    (places,) = three.placements
+    three = Composed(guidance, apple, [replace_words(apple, words)], []).of_object(0)
+    (places,) = three.made.places
     assert len(places) == 3
     alone = apple.of_object(0).areas()
     together = three.areas()

@@ -149,9 +149,8 @@ def test_the_stated_side_of_what_is_made_is_so_long(prompt, longest, tmp_path):
     assert size_of(run, box) == pytest.approx(longest)
     own = RunFolder.create(tmp_path / "own", Job(prompt=prompt, size_m=0.25))
     assert size_of(own, box) == 0.25
-    run.grown = 1.5  # with what it is on
-    stated = "2 m" in prompt.lower()
-    assert size_of(run, box) == pytest.approx(longest * (1 if stated else 1.5))
+    run.size_m = 1.5  # with what it is on
+    assert size_of(run, box) == 1.5
 
 
 @pytest.mark.parametrize(("prompt", "metres"), [("vase 120mm", 0.12), ("a 40 mm cube", 0.04)])

@@ -112,12 +112,12 @@ class BuiltinGuidance(Guidance):
         negative = parse(negative_prompt, noun_needed=False, **options)
         for note in (*words.notes, *negative.notes):
             warnings.warn(note, PromptWarning, stacklevel=2)
-        words = bareheaded(words, words.companions)
-        first = PromptedBuiltin(self, words, negative)
+        alone = PromptedBuiltin(self, words, negative)
         if not words.companions and words.count == 1:
-            return first
-        others = [PromptedBuiltin(self, one.words, negative) for one in words.companions]
-        return Composed(self, [first, *others], [one.relation for one in words.companions])
+            return alone
+        each = [bareheaded(words, words.companions), *(one.words for one in words.companions)]
+        things = [PromptedBuiltin(self, one, negative) for one in each]
+        return Composed(self, alone, things, [one.relation for one in words.companions])
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]

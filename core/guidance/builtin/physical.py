@@ -20,8 +20,8 @@ def usual_of(prompt: str) -> tuple[float, float]:
     return Words().usual()
 
 
-def longest_side(prompt: str, extents: Iterable[float], grown: float = 1.0) -> float:
-    """The longest side, in metres, of the object of ``prompt``, whose box is to the ``extents`` x,
-    y and z: as the prompt states its size, else ``grown`` times the thing's usual one."""
+def longest_side(prompt: str, extents: Iterable[float]) -> float:
+    """The longest side, in metres, of the thing of ``prompt``, whose box is to the ``extents`` x, y
+    and z: as the prompt states its size, else the usual one."""
     _, sizes, _ = set_apart(prompt)
-    return sizes[0].longest(extents) if sizes else grown * usual_of(prompt)[0]
+    return sizes[0].longest(extents) if sizes else usual_of(prompt)[0]

@@ -19,33 +19,63 @@ from core.guidance.builtin.composition.resting import (
 from core.guidance.builtin.composition.wearing import worn
 from core.guidance.builtin.words.companions import Relation
 
+EACH = ("wears", "holds")  # which of several each does by itself
+
 
 def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[Placement]]:
     """The placements of each copy of the first thing, and of each of the others, which are all of
     the training's size."""
     things = [first, *(other for _, other in others)]
-    copies = [copies_of(thing) for thing in things]
-    groups = [
-        thing.group(places) if len(places) > 1 else thing
-        for thing, places in zip(things, copies, strict=True)
-    ]
-    pairs = [(relation, group) for (relation, _), group in zip(others, groups[1:], strict=True)]
-    stuck = any(relation == "in" and is_stuck(first, other) for relation, other in pairs)
-    found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
-    there = groups[0].placed(found[0])
-    for relation, group in pairs:
-        found.append(_PLACED[relation](group, there))
-    verts = torch.cat([group.placed(at).verts for group, at in zip(groups, found, strict=True)])
+    count = first.words.count
+    each = all(how in EACH or other.words.count == count for how, other in others)
+    if (
+        count > 1 and others and each
+    ):  # "two penguins wearing hats": the pair of a penguin and a hat
+        places = _placed(first, others)
+        copies = copies_of(_joined(things, places))
+        found = [[copy.of_copy(place) for copy in copies] for place in places]
+    else:
+        copies = [copies_of(thing) for thing in things]
+        groups = [thing.group(own) for thing, own in zip(things, copies, strict=True)]
+        pairs = [(how, group) for (how, _), group in zip(others, groups[1:], strict=True)]
+        places = _placed(groups[0], pairs)
+        found = [[at.of_copy(one) for one in own] for at, own in zip(places, copies, strict=True)]
+    bodies = zip(things, found, strict=True)
+    verts = torch.cat([place.out(thing.verts) for thing, own in bodies for place in own])
     center = (verts.amin(0) + verts.amax(0)) / 2
     scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
-    whole = [place.then(scale, -center * scale) for place in found]
-    return [[at.of_copy(one) for one in each] for at, each in zip(whole, copies, strict=True)]
+    return [[place.then(scale, -center * scale) for place in own] for own in found]
+
+
+def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
+    """Where each is, the first one where it is by itself."""
+    stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
+    found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
+    there = first.placed(found[0])
+    held_already = False
+    for how, other in others:
+        if how == "holds":
+            found.append(held(other, there, held_already))
+            held_already = True
+        else:
+            found.append(_PLACED[how](other, there))
+    return found
+
+
+def _joined(things: Sequence[Body], places: Sequence[Placement]) -> Body:
+    """All of them as one thing, of the first one's words."""
+    verts, faces, count = [], [], 0
+    for thing, place in zip(things, places, strict=True):
+        verts.append(place.out(thing.verts))
+        faces.append(thing.faces + count)
+        count += len(thing.verts)
+    part = torch.zeros(count, dtype=torch.long)
+    return Body(things[0].words, torch.cat(verts), torch.cat(faces), part, things[0].metres)
 
 
 _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {
     "on": lambda other, first: under(first, other),
     "in": lambda other, first: (pierced if is_stuck(first, other) else around)(first, other),
     "wears": worn,
-    "holds": held,
     "bears": upon,
 }

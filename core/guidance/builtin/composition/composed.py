@@ -7,15 +7,15 @@ of the thing that is there.
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
 from core.geometry.assembly import Forms, KnownParts
-from core.geometry.init_shape import Shape, sample_surface
+from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.pieces import Piece
 from core.geometry.tet_grid import EXTENT
@@ -32,6 +32,7 @@ ALONE = (
     "of yours, nor what is distilled."
 )
 
+Known = TypeVar("Known", AreaFields, KnownParts)
 BEYOND = 0.1  # training units: what is not in a thing's cube is at least so far from it
 
 
@@ -97,85 +98,83 @@ class Thing(Protocol):
         ...
 
 
+class Made(NamedTuple):
+    """How drawn things are put together."""
+
+    places: Sequence[Sequence[Placement]]  # of the copies of each
+    size_m: float  # of the whole's longest side, metres
+
+
 class Composed(PromptedGuidance):
     """The guidance of a thing and its companions; of the thing alone until they are drawn."""
 
     def __init__(
         self,
         guidance: Guidance,
+        alone: Thing,
         things: Sequence[Thing],
         relations: Sequence[Relation],
-        placements: Sequence[Sequence[Placement]] = (),
+        made: "Made | None" = None,
     ) -> None:
         """
         Args:
-            things: the first one, and its companions.
+            alone: the first thing as it is without companions.
+            things: the first one as it is with them, and its companions.
             relations: of the first to each companion.
-            placements: of the copies of each thing, once they are drawn.
+            made: what the things are, once they are drawn.
         """
         super().__init__(guidance)
-        self.things, self.relations, self.placements = things, relations, placements
+        self.alone, self.things, self.relations, self.made = alone, things, relations, made
 
     def of_object(self, seed: int, whole: bool = True) -> "Composed":
         """All things drawn and put together; the first alone where not ``whole``."""
         if not whole:
-            first = self.things[0].of_object(seed)
-            return Composed(self._guidance, [first, *self.things[1:]], self.relations)
+            return self._with(self.alone.of_object(seed))
         drawn = [thing.of_object(seed) for thing in self.things]
         bodies = [Body.of(thing.words, thing.solid) for thing in drawn if thing.solid]
         if len(bodies) < len(drawn):  # of weights without solids
             return self
-        placed = arranged(bodies[0], list(zip(self.relations, bodies[1:], strict=True)))
-        return Composed(self._guidance, drawn, self.relations, placed)
+        places = arranged(bodies[0], list(zip(self.relations, bodies[1:], strict=True)))
+        each = zip(bodies, places, strict=True)
+        verts = torch.cat([place.out(body.verts) for body, own in each for place in own])
+        sides = verts.amax(0) - verts.amin(0)
+        size_m = float(sides.max()) * bodies[0].metres / places[0][0].scale
+        return self._with(self.alone, drawn, Made(places, size_m))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
         """The first thing alone: a guide is of one thing."""
-        first = self.things[0].in_proportion(guide, strength, least)
-        return Composed(self._guidance, [first, *self.things[1:]], self.relations)
+        return self._with(self.alone.in_proportion(guide, strength, least))
 
-    def grown(self) -> float:
-        """How many times as long as the first thing the whole is."""
-        if not self.placements:
-            return 1.0
-        bodies = zip(self._bodies, self.placements, strict=True)
-        verts = torch.cat([place.out(body.verts) for body, each in bodies for place in each])
-        one = self._bodies[0].longest * self.placements[0][0].scale
-        return float((verts.amax(0) - verts.amin(0)).max()) / one
+    def _with(
+        self, alone: Thing, things: Sequence[Thing] = (), made: "Made | None" = None
+    ) -> "Composed":
+        return Composed(self._guidance, alone, things or self.things, self.relations, made)
+
+    def size_m(self) -> float | None:
+        """That of the whole, in which the first thing has its usual size or the stated one."""
+        return self.made and self.made.size_m
 
     def start_shape(self) -> Shape | None:
-        """The drawn things together."""
-        if not self.placements:
-            return self.things[0].start_shape()
-        verts, faces, count = [], [], 0
-        for thing, places in self._placed:
-            assert thing.solid is not None
-            own, corners = thing.solid.mesh
-            for place in places:
-                verts.append(place.out(own))
-                faces.append(corners + count)
-                count += len(own)
-        points, corners = torch.cat(verts), torch.cat(faces)
-        parts = self.parts()
-        assert parts is not None
-        return Shape(
-            lambda at: parts.distances(at).amin(1),
-            lambda some, generator: sample_surface(points, corners, some, generator),
-        )
+        """The first thing's: what Ψ learns from pictures is one thing."""
+        return self.alone.start_shape()
+
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """As the first thing's."""
+        return self.alone.restore(pictures, views)
 
     def parts(self) -> KnownParts | None:
         """All things', the first's first."""
-        if not self.placements:
-            return self.things[0].parts()
-        return self._parts
+        return self._parts if self.made else self.alone.parts()
 
     def areas(self) -> SolidAreas | None:
         """All things', the first's first."""
-        if not self.placements:
-            return self.things[0].areas()
-        fields = [thing.area_fields() for thing, _ in self._placed]
-        known = [one for one in fields if one is not None]
-        drawn = composed_field([one.drawn for one in known], self.placements)
-        near = composed_field([one.near for one in known], self.placements)
+        if not self.made:
+            return self.alone.areas()
+        known = [_known(thing.area_fields()) for thing in self.things]
+        drawn = composed_field([one.drawn for one in known], self.made.places)
+        near = composed_field([one.near for one in known], self.made.places)
         return SolidAreas(drawn, tuple(area for one in known for area in one.each), near)
 
     def ranges(self) -> MaterialRanges:
@@ -190,18 +189,13 @@ class Composed(PromptedGuidance):
         return tuple(dict.fromkeys(one for thing in self._here for one in thing.surfaces()))
 
     def left_out(self) -> tuple[str, ...]:
-        """The things' own notes, and one on each companion that is not there."""
+        """The things' own notes; and on the companions and the copies that are not there."""
         own = tuple(text for thing in self._here for text in thing.left_out())
-        gone = [thing.words.noun for thing in self.things[len(self._here) :]]
-        first = self.things[0].words
-        more = [f"{first.count} × {first.noun}"] if first.count > 1 and not self.placements else []
-        return own + tuple(f"{what}: {ALONE}" for what in (*more, *gone))
-
-    def restore(
-        self, pictures: Float[Tensor, "b 4 s s"], views: Views
-    ) -> Float[Tensor, "b 4 s s"] | None:
-        """As the first thing's; nothing is restored of several, which are exact as they are."""
-        return None if self.placements else self.things[0].restore(pictures, views)
+        if self.made:
+            return own
+        first, *others = (thing.words for thing in self.things)
+        more = [f"{first.count} × {first.noun}"] if first.count > 1 else []
+        return own + tuple(f"{what}: {ALONE}" for what in (*more, *(one.noun for one in others)))
 
     @torch.no_grad()
     def predict(
@@ -216,27 +210,21 @@ class Composed(PromptedGuidance):
         """At each place of the surface the prediction of the thing that is there."""
         options = {"cond_only": cond_only, "apart": apart}
         surface = views.surface
-        if not self.placements or surface is None:
-            return self.things[0].predict(z_t, t, views, **options)
+        if not self.made or surface is None:
+            return self.alone.predict(z_t, t, views, **options)
         surface = torch.nn.functional.adaptive_avg_pool2d(surface, self.latent_size)
         owner, copy = self._owner(surface)
         found = []
         for index, (thing, places) in enumerate(self._placed):
             mine = copy * (owner == index)  # elsewhere as the first copy sees it
-            seen = torch.stack([_seen_from(surface, place) for place in places])
+            seen = torch.stack([seen_from(surface, place) for place in places])
             own = seen.gather(0, mine[None, :, None].expand_as(seen[:1]))[0]
             found.append(thing.predict(z_t, t, Views(views.cameras, own), **options))
-        first, *others = found
-        for index, other in enumerate(others, 1):
+        whole = found[0]
+        for index, other in enumerate(found[1:], 1):
             mine = owner[:, None] == index
-            both = zip(first[:2], other[:2], strict=True)
-            cond, uncond = (b if a is None or b is None else b.where(mine, a) for a, b in both)
-            negative = first.negative
-            if negative is not None and other.negative is not None:
-                negative = other.negative.where(mine, negative)
-            assert cond is not None
-            first = first._replace(cond=cond, uncond=uncond, negative=negative)
-        return first
+            whole = Predictions(*(_put(a, b, mine) for a, b in zip(whole, other, strict=True)))
+        return whole
 
     def _owner(
         self, surface: Float[Tensor, "b 7 s s"]
@@ -253,20 +241,31 @@ class Composed(PromptedGuidance):
 
     @property
     def _here(self) -> Sequence[Thing]:
-        return self.things if self.placements else self.things[:1]
+        return self.things if self.made else [self.alone]
 
     @property
     def _placed(self) -> list[tuple[Thing, Sequence[Placement]]]:
-        return list(zip(self.things, self.placements, strict=True))
-
-    @cached_property
-    def _bodies(self) -> list[Body]:
-        return [Body.of(thing.words, thing.solid) for thing in self.things if thing.solid]
+        assert self.made is not None
+        return list(zip(self.things, self.made.places, strict=True))
 
     @cached_property
     def _parts(self) -> "ComposedParts":
-        known = [(thing.parts(), places) for thing, places in self._placed]
-        return ComposedParts([(parts, places) for parts, places in known if parts is not None])
+        return ComposedParts([(_known(thing.parts()), places) for thing, places in self._placed])
+
+
+def _known(of_drawn: Known | None) -> Known:
+    """What is known of a thing that is drawn."""
+    assert of_drawn is not None
+    return of_drawn
+
+
+def _put(
+    whole: Float[Tensor, "b 4 s s"] | None,
+    other: Float[Tensor, "b 4 s s"] | None,
+    mine: Bool[Tensor, "b 1 s s"],
+) -> Float[Tensor, "b 4 s s"] | None:
+    """``other`` where it is ``mine``, of predictions that all things have or none."""
+    return whole if whole is None or other is None else other.where(mine, whole)
 
 
 class ComposedParts(KnownParts):
@@ -278,14 +277,20 @@ class ComposedParts(KnownParts):
         flat = tuple(share for forms in each for share in forms.flat)
         around = tuple(tuple(x for forms in each for x in forms.round[axis]) for axis in range(3))
         counts = [len(forms.flat) for forms in each]
-        starts = [sum(counts[:k]) for k in range(len(counts))]
-        cornered = [k + at for forms, at in zip(each, starts, strict=True) for k in forms.cornered]
+        self.starts = [sum(counts[:k]) for k in range(len(counts))]
+        pairs = zip(each, self.starts, strict=True)
+        cornered = [k + start for forms, start in pairs for k in forms.cornered]
         super().__init__(self._distances, Forms(flat, around, cornered))
 
     @cached_property
     def pieces(self) -> list[Piece]:
-        """Each copy's, as the thing has them by itself."""
-        return [piece for parts, places in self.placed for _ in places for piece in parts.pieces]
+        """Each copy's, as the thing has them by itself, but for the part's number."""
+        found = []
+        for (parts, places), start in zip(self.placed, self.starts, strict=True):
+            for piece in parts.pieces * len(places):
+                place = piece.place._replace(part=piece.place.part + start)
+                found.append(piece._replace(place=place))
+        return found
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
         """A piece's surface in its place."""
@@ -331,11 +336,9 @@ def at_place(
     own = place.into(points)
     near = (own.abs() <= EXTENT).all(1)
     beyond = (own.abs() - EXTENT).clamp_min(0).norm(dim=1) + BEYOND
-    if not near.any():
-        near = near | (torch.arange(len(near)) < 1)  # a network takes no empty batch
-    known = field(own[near].clamp(-EXTENT, EXTENT))
+    known = field(own[near])
     found = beyond[:, None].expand(-1, known.shape[1]).clone()
-    found[near] = known + (own[near].abs() - EXTENT).clamp_min(0).norm(dim=1)[:, None]
+    found[near] = known
     return found * place.scale
 
 
@@ -363,7 +366,7 @@ def _in_one(field: Field) -> Callable[[Tensor], Tensor]:
     return at
 
 
-def _seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
+def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
     """The pictures' normals and points as the thing at a placement knows them."""
     rows = surface.permute(0, 2, 3, 1)
     normals, mask, points = rows[..., :3], rows[..., 3:4], rows[..., 4:]

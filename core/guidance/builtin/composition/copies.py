@@ -43,7 +43,7 @@ def _row(thing: Body, count: int) -> list[Placement]:
 
 def _stack(thing: Body, count: int) -> list[Placement]:
     """Each on the one below, as deep in it as it goes: plates, cups."""
-    laid, generator = laid_down(thing, 1.0), torch.Generator().manual_seed(0)
+    laid, generator = laid_down(thing, math.inf), torch.Generator().manual_seed(0)
     return _piled(thing, laid, count, 0.0, generator)
 
 
@@ -88,7 +88,7 @@ def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
     x, y, z = thing.sides.tolist()
     if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
         return about_x(-math.pi / 2) if y < x else QUARTER
-    return about_x(-math.pi / 2) if z > high * max(x, y) and high > 1 else torch.eye(3)
+    return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
 
 
 def _lowest(
@@ -102,7 +102,7 @@ def _lowest(
     """The next one's place, and its points there."""
     best, cost = None, math.inf
     begin = 2 * math.pi * float(torch.rand(1, generator=generator))
-    for k in range(TRIES):
+    for k in range(TRIES if radius else 1):
         turn = about_z(TURNED * (2 * float(torch.rand(1, generator=generator)) - 1)) @ laid
         far, angle = radius * math.sqrt((k + 0.5) / TRIES), begin + GOLDEN * k
         verts = thing.verts @ turn.T
@@ -113,7 +113,7 @@ def _lowest(
         drop -= TOUCHING * float(thing.sides.min())
         top = float(some[:, 2].max()) + drop + INWARDS * far
         if top < cost:
-            shift = verts[0] - turn @ thing.verts[0] + torch.tensor([0.0, 0.0, drop])
+            shift = torch.tensor([far * math.cos(angle), far * math.sin(angle), drop])
             best, cost = Placement.of(1.0, turn).moved(shift), top
     assert best is not None
     return best, best.out(thing.verts)

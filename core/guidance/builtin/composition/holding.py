@@ -5,7 +5,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.guidance.builtin.composition.placement import Body, Placement, sized
-from core.guidance.builtin.composition.wearing import NO_HEAD
+from core.guidance.builtin.composition.wearing import NO_HEAD, UPRIGHT
 from core.guidance.builtin.nouns import GROUPS
 
 HELD = (0.28, 0.85)  # of the holder's longest side
@@ -21,26 +21,28 @@ GRIPPED = 0.2  # of what has no grip, from its lower end
 ARM = (0.25, 0.75)  # of a figure's height: where the hand is
 OUT = 0.82  # of the way to the side, from which on it is the arm
 CHEST = 0.42  # of the height
-UPRIGHT = 1.1  # times as high as long
 SUNK = 0.03
 SIDEWAYS = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x
 ACROSS = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # y to -x
 
 
-def held(item: Body, holder: Body) -> Placement:
-    """Where what is held is."""
+def held(item: Body, holder: Body, second: bool = False) -> Placement:
+    """Where what is held is; ``second``: next to something else, in the other hand."""
     noun = holder.words.noun
     if noun in HANDED or noun in CLAWED:
-        return _in_hand(item, holder)
+        return _in_hand(item, holder, second)
+    if second:
+        place = Placement.of(sized(item, holder, HELD[0], AT_CHEST))
+        return place.moved(_beside(holder) - _grip(item.placed(place)))
     if holder.sides[2] > UPRIGHT * holder.sides[1]:
         return _before_chest(item, holder)
     return _in_mouth(item, holder)
 
 
-def _in_hand(item: Body, holder: Body) -> Placement:
+def _in_hand(item: Body, holder: Body, second: bool) -> Placement:
     place = Placement.of(sized(item, holder, *HELD))
     there = item.placed(place)
-    hand = _hand(holder)
+    hand = _hand(holder) * torch.tensor([-1.0 if second else 1.0, 1.0, 1.0])
     if _along(there) == 2:  # a staff, a sword: upright, by its grip
         return place.moved(hand - _grip(there))
     middle = there.box.mean(0)
@@ -50,9 +52,8 @@ def _in_hand(item: Body, holder: Body) -> Placement:
 
 def _hand(holder: Body) -> Float[Tensor, " 3"]:
     """The front of a hand: of the holder's right one, on the left of the picture."""
-    claws = CLAWED.get(holder.words.noun)
-    if claws:
-        found = holder.of_parts(claws)
+    found = holder.of_parts(CLAWED.get(holder.words.noun, ""))
+    if len(found):
         mine = found[found[:, 0] < found[:, 0].mean()]
         tip = mine[mine[:, 1] <= mine[:, 1].quantile(0.1)]
         return tip.mean(0)
@@ -103,9 +104,7 @@ def _in_mouth(item: Body, holder: Body) -> Placement:
         place = Placement.of(sized(item, holder, *HELD))
         return place.moved(_beside(holder) - _grip(item.placed(place)))
     turn = {2: SIDEWAYS, 1: ACROSS}.get(_along(item, LONG), torch.eye(3))
-    turned = item.placed(Placement.of(1.0, turn))
-    place = Placement.of(1.0, turn)
-    place = place.then(sized(turned, holder, HELD[0], AT_MOUTH), torch.zeros(3))
+    place = Placement.of(sized(item, holder, HELD[0], AT_MOUTH), turn)
     there = item.placed(place)
     return place.moved(_mouth(holder) - there.box.mean(0))
 

@@ -43,6 +43,11 @@ class Placement:
             self.scale * copy.scale, self.out(copy.shift[None])[0], self.turn @ copy.turn
         )
 
+    def inverted(self) -> "Placement":
+        """From the composition's points to the thing's own."""
+        turn = self.turn.T
+        return Placement(1 / self.scale, -self.shift @ turn.T / self.scale, turn)
+
     def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
         """The thing's own points where they come to lie."""
         return self.scale * points @ self.turn.T.to(points) + self.shift.to(points)
@@ -60,7 +65,7 @@ class Body:
     verts: Float[Tensor, "v 3"]
     faces: Int[Tensor, "f 3"]
     part: Int[Tensor, " v"]
-    ones: float = 0.0  # the longest side of one of them, of a group; 0: it is one
+    metres: float = 1.0  # that a training unit of it stands for
 
     @classmethod
     def of(cls, words: Words, solid: Solid) -> "Body":
@@ -71,19 +76,22 @@ class Body:
         # What lies in a face, such as a figure's eyes, has no vertex of its own.
         for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
             part[distances[:, small] < NEAR] = small
-        return cls(words, verts, faces, part)
+        body = cls(words, verts, faces, part)
+        size = words.size
+        longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
+        return replace(body, metres=longest / body.longest)
 
     def placed(self, placement: Placement) -> "Body":
         """The thing there."""
-        ones = self.ones * placement.scale
-        return replace(self, verts=placement.out(self.verts), ones=ones)
+        metres = self.metres / placement.scale
+        return replace(self, verts=placement.out(self.verts), metres=metres)
 
     def group(self, copies: "Sequence[Placement]") -> "Body":
         """Several of the thing as one."""
         verts = torch.cat([place.out(self.verts) for place in copies])
         faces = torch.cat([self.faces + k * len(self.verts) for k in range(len(copies))])
         part = self.part.repeat(len(copies))
-        return replace(self, verts=verts, faces=faces, part=part, ones=self.longest)
+        return replace(self, verts=verts, faces=faces, part=part)
 
     @cached_property
     def box(self) -> Float[Tensor, "2 3"]:
@@ -103,9 +111,7 @@ class Body:
     @property
     def usual(self) -> float:
         """How long the longest is, in metres."""
-        if self.words.size:
-            return self.words.size.longest(self.sides.tolist())
-        return self.words.usual()[0] * (self.longest / self.ones if self.ones else 1.0)
+        return self.metres * self.longest
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of parts of these names."""

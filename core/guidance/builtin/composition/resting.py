@@ -40,10 +40,9 @@ QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # 
 
 def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
     """Where the support of ``thing`` is, with what a unit off its middle costs."""
-    place = _levelled(thing, support)
     sizes = MOUNT if _is_mount(support) else SUPPORT
-    lying = support.placed(place)
-    place = place.then(sized(lying, thing, *sizes), torch.zeros(3))
+    turn = _levelled(thing, support)
+    place = Placement.of(sized(support.placed(Placement.of(1.0, turn)), thing, *sizes), turn)
     below = support.placed(place)
     spot = spot_on(thing, below, off_middle)
     sunk = ASTRIDE * float(thing.sides[2]) if _rides(thing, support) else SUNK
@@ -58,11 +57,11 @@ def around(thing: Body, container: Body) -> Placement:
     scale = sized(container, thing, *CONTAINER)
     middle = float(thing.box[0, 2] + thing.sides[2] / 2)
     lower = thing.verts[thing.verts[:, 2] < middle]
-    wide = ROOM * (lower.amax(0) - lower.amin(0))[:2] / container.sides[:2]
+    wide = ROOM * (lower.amax(0) - lower.amin(0))[:2] / _opening(container)[1][:2]
     place = Placement.of(max(scale, float(wide.max())))
     there = container.placed(place)
     depth = IN * min(float(thing.sides[2]), float(there.sides[2]))
-    spot = _rim(there)
+    spot, _ = _opening(there)
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, depth]))
 
 
@@ -89,9 +88,7 @@ def upon(thing: Body, carrier: Body) -> Placement:
     if carrier.words.noun in CONTAINERS and thing.words.count > 1 and not is_bunch(thing):
         return _filling(thing, carrier)
     if carrier.words.noun in CONTAINERS:
-        inverse = around(thing, carrier)
-        # What is around the thing, seen from the other side.
-        return Placement(1 / inverse.scale, -inverse.shift / inverse.scale, torch.eye(3))
+        return around(thing, carrier).inverted()
     wide = WIDEST * carrier.sides[:2].max() / thing.sides[:2].max()
     place = Placement.of(min(sized(thing, carrier, *BORNE), float(wide)))
     borne = thing.placed(place)
@@ -105,10 +102,10 @@ def is_bunch(thing: Body) -> bool:
 
 def _filling(heap: Body, container: Body) -> Placement:
     """Where a heap is that fills a container to above its rim."""
-    wide = FILLED * float((container.sides[:2] / heap.sides[:2]).min())
+    wide = FILLED * float((_opening(container)[1][:2] / heap.sides[:2]).min())
     place = Placement.of(wide)
     there = heap.placed(place)
-    rim = _rim(container)
+    rim, _ = _opening(container)
     up = torch.tensor([0.0, 0.0, HEAPED * float(there.sides[2])])
     middle = there.box.mean(0)
     top = torch.stack([middle[0], middle[1], there.box[1, 2]])
@@ -126,8 +123,8 @@ def _rides(thing: Body, support: Body) -> bool:
     return bool(stands) and (is_animal(noun) or noun in MOUNTS)
 
 
-def _levelled(thing: Body, support: Body) -> Placement:
-    """The support as it lies under a thing: a board flat, and what is long as the thing is."""
+def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
+    """The turn of what is under a thing: a board lies flat, and along the thing."""
     turn = torch.eye(3)
     flat = support.words.noun in LYING and support.sides[2] > support.sides[:2].min()
     if flat:
@@ -136,7 +133,7 @@ def _levelled(thing: Body, support: Body) -> Placement:
     own = thing.sides
     if support.words.noun in LYING and (sides[0] > sides[1]) != (own[0] > own[1]):
         turn = QUARTER @ turn
-    return Placement.of(1.0, turn)
+    return turn
 
 
 def _foot(thing: Body) -> Float[Tensor, " 3"]:
@@ -151,11 +148,11 @@ def _foot_box(thing: Body) -> Float[Tensor, "2 3"]:
     return torch.stack([foot.amin(0), foot.amax(0)])
 
 
-def _rim(container: Body) -> Float[Tensor, " 3"]:
-    """The middle of what a container is open at."""
-    middle = _middle_top(container)
+def _opening(container: Body) -> tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]:
+    """The middle of what a container is open at, and the sides of its box without handles."""
     body = container.without(*OVER_THE_RIM)
-    return torch.stack([middle[0], middle[1], body[:, 2].amax()])
+    low, high = body.amin(0), body.amax(0)
+    return torch.cat([(low + high)[:2] / 2, high[2:]]), high - low
 
 
 def _middle_top(body: Body) -> Float[Tensor, " 3"]:

@@ -26,15 +26,22 @@ MASK = "gas mask"
 NO_HEAD = tuple(
     """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
     arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem
-    leaves""".split()
+    leaves claws legs limbs""".split()
 )
+MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
+# Of the head's width below the eyes: where the neck is, at least; and how far on; how low a
+# face may reach.
+BELOW, REACH, FACE = 0.4, 0.2, 0.45
+# Of the neck's width; of a scarf's height, below its top; of the head's width, a neck's at most.
+WRAPPED, RING, SLIM = 1.3, 0.28, 0.95
 # Of the head's width: a hat's crown, glasses, a mask, a bow tie.
 HAT, GLASSES, MASKED, TIE = 1.04, 1.06, 0.8, 0.55
 BAND = (0.25, 0.5)  # of a hat's height: where it is as wide as the head that it is made for
 HAT_SINKS = 0.32, 0.5  # of the head's width, of the hat's own height, at most
 EYES_HIGH = 0.3  # training units, at most
-# Where a thing has no eyes, its head: of its height; of its width, at most.
-TOP, CAPPED = 0.12, 0.6
+WIDEST = 1.9  # times the eyes' distance: a head
+# Where a thing has no eyes, its head: of its height; of its width, at least and at most.
+TOP, CAPPED = 0.12, (0.3, 0.6)
 PACK = (0.3, 0.5)  # of the wearer's longest side
 SHOULDERS = 0.7  # of the way from the feet to the eyes: the middle of a pack
 UPRIGHT = 1.1  # times as high as long
@@ -84,25 +91,56 @@ def _on_head(hat: Body, head: Head) -> Placement:
     return place.moved(at - torch.stack([middle[0], middle[1], there.box[0, 2]]))
 
 
-def _at_neck(tie: Body, wearer: Body, head: Head) -> Placement:
-    place = Placement.of(TIE * head.wide / float(tie.sides[0]))
-    there = tie.placed(place)
-    z = head.eyes - (head.top - head.eyes) - 0.12 * head.wide
-    near = wearer.verts[
-        ((wearer.verts[:, 2] - z).abs() < 0.12 * head.wide)
-        & ((wearer.verts[:, 0] - head.middle[0]).abs() < 0.3 * head.wide)
-    ]
-    front = float(near[:, 1].amin()) if len(near) else head.front
+def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
+    """A scarf around the narrowest place below the head, a bow tie before it."""
+    neck = _neck_of(wearer, head)
+    wrapped = item.words.noun == "scarf"
+    wide = WRAPPED * min(neck.wide, SLIM * head.wide) if wrapped else TIE * head.wide
+    place = Placement.of(wide / float(item.sides[0]))
+    there = item.placed(place)
     middle = there.box.mean(0)
-    at = torch.tensor([float(head.middle[0]), front + SUNK, z])
+    if wrapped:  # by the middle of its ring, which is its upper half
+        ring = there.box[1, 2] - RING * there.sides[2]
+        return place.moved(neck.middle - torch.stack([middle[0], middle[1], ring]))
+    at = torch.tensor([float(neck.middle[0]), neck.front + SUNK, float(neck.middle[2])])
     return place.moved(at - torch.stack([middle[0], there.box[1, 1], middle[2]]))
+
+
+class Neck(NamedTuple):
+    """Where a neck is."""
+
+    middle: Float[Tensor, " 3"]
+    wide: float
+    front: float  # its least y
+
+
+def _neck_of(wearer: Body, head: Head) -> Neck:
+    rest = wearer.without(*NO_HEAD, *MUZZLES)
+    found = []
+    begin = head.eyes - BELOW * head.wide
+    face = wearer.of_parts(*MUZZLES[:4])
+    face = face[face[:, 2] > head.eyes - FACE * head.wide]
+    begin = min(begin, float(face[:, 2].amin())) if len(face) else begin
+    for below in torch.linspace(0, REACH, 10).tolist():
+        z = begin - below * head.wide
+        near = rest[
+            ((rest[:, 2] - z).abs() < 0.08 * head.wide)
+            & ((rest[:, :2] - head.middle[:2]).norm(dim=1) < 0.75 * head.wide)
+        ]
+        if len(near):
+            low, high = near.amin(0), near.amax(0)
+            middle = torch.stack([head.middle[0], (low + high)[1] / 2, torch.tensor(z)])
+            found.append(Neck(middle, float(high[0] - low[0]), float(low[1])))
+    if not found:
+        at = head.middle - torch.tensor([0.0, 0.0, BELOW * head.wide])
+        return Neck(at, head.wide, head.front)
+    return min(found, key=lambda neck: neck.wide)
 
 
 def _on_back(pack: Body, wearer: Body, head: Head) -> Placement:
     stands = wearer.sides[2] > UPRIGHT * wearer.sides[1]
     turn = BACKWARDS if stands else ON_ITS_BACK
-    place = Placement.of(1.0, turn)
-    place = place.then(sized(pack.placed(place), wearer, *PACK), torch.zeros(3))
+    place = Placement.of(sized(pack, wearer, *PACK), turn)
     there = pack.placed(place)
     middle = there.box.mean(0)
     if not stands:
@@ -126,7 +164,8 @@ def _on_back(pack: Body, wearer: Body, head: Head) -> Placement:
 def head_of(body: Body) -> Head:
     """The head by the eyes; of what has none the top."""
     eyes = body.of_parts(*EYES)
-    rest = body.without(*NO_HEAD)
+    own = body.of_parts("head")
+    rest = own if len(own) and len(eyes) else body.without(*NO_HEAD)
     if not len(eyes):
         return _top_of(body, rest)
     eyes = eyes[eyes[:, 2] > eyes[:, 2].amax() - EYES_HIGH]  # not a robot's panel
@@ -143,6 +182,7 @@ def head_of(body: Body) -> Head:
         ]
         if len(slab):
             wide = max(apart, float(slab[:, 0].amax() - slab[:, 0].amin()))
+            wide = min(wide, WIDEST * apart)  # or it has shoulders
     above = rest[
         ((rest[:, 0] - middle[0]).abs() < 0.35 * wide)
         & (rest[:, 1] > middle[1] - 0.3 * wide)
@@ -160,7 +200,8 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
     top = float(rest[:, 2].amax())
     high = rest[rest[:, 2] > top - TOP * float(body.sides[2])]
     middle = (high.amin(0) + high.amax(0)) / 2
-    wide = float(torch.minimum(high.amax(0) - high.amin(0), CAPPED * body.sides)[:2].min())
+    least, most = (share * body.sides[:2] for share in CAPPED)
+    wide = float((high.amax(0) - high.amin(0))[:2].maximum(least).minimum(most).min())
     eyes = top - 0.4 * wide
     return Head(middle, wide, top, float(high[:, 1].amin()), eyes)
 
