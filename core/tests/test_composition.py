@@ -26,7 +26,7 @@ from core.guidance.builtin.composition.resting import (
     under,
     upon,
 )
-from core.guidance.builtin.composition.wearing import bareheaded, head_of, worn
+from core.guidance.builtin.composition.wearing import freed, head_of, worn
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.slots import Words
@@ -299,9 +299,11 @@ def test_a_mugs_opening_is_in_the_middle_of_its_cup():
 
 def test_a_hat_takes_the_place_of_a_hat():
     wizard, crown = parse("a wizard"), parse("a crown")
-    assert bareheaded(wizard, [("wears", crown)]).absent == ("hat",)
-    assert bareheaded(wizard, [("holds", crown)]).absent == ()
-    assert bareheaded(parse("a cat"), [("wears", crown)]).absent == ()
+    assert freed(wizard, [("wears", crown)]).absent == ("hat",)
+    assert freed(wizard, [("holds", crown)]).absent == ()
+    assert freed(parse("a cat"), [("wears", crown)]).absent == ()
+    torch_and_crown = [("holds", parse("a torch")), ("wears", crown)]
+    assert freed(parse("a knight"), torch_and_crown).absent == ("shield",)
 
 
 def test_a_composition_is_one_closed_piece_of_the_usual_radius():

@@ -23,7 +23,7 @@ from core.geometry.mesh import Mesh
 from core.guidance.builtin.areas import AreaFields, SolidAreas, depths, patterned
 from core.guidance.builtin.bent import BentSolid, bent
 from core.guidance.builtin.composition.composed import Composed
-from core.guidance.builtin.composition.wearing import bareheaded
+from core.guidance.builtin.composition.wearing import freed
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
@@ -115,7 +115,7 @@ class BuiltinGuidance(Guidance):
         alone = PromptedBuiltin(self, words, negative)
         if not words.companions and words.count == 1:
             return alone
-        each = [bareheaded(words, words.companions), *(one.words for one in words.companions)]
+        each = [freed(words, words.companions), *(one.words for one in words.companions)]
         things = [PromptedBuiltin(self, one, negative) for one in each]
         return Composed(self, alone, things, [one.relation for one in words.companions])
 

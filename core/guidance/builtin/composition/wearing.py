@@ -20,6 +20,7 @@ from core.guidance.builtin.words.companion_words import (
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.builtin.words.slots import Words
 
+IN_HAND = {"knight": "shield"}  # in the hand that would hold something else
 OWN_HATS = "hat", "crown", "helmet"  # parts, which a thing takes off for another one
 MASK = "gas mask"
 # What stands out of a head and is not part of its width.
@@ -206,8 +207,11 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
     return Head(middle, wide, top, float(high[:, 1].amin()), eyes)
 
 
-def bareheaded(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
-    """``words`` without a hat of the thing's own, where it wears another."""
-    wears = any(how == "wears" and other.noun in HEADWEAR for how, other in relations)
-    own = [name for name in looks(words.noun) if wears and name in OWN_HATS]
+def freed(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
+    """``words`` without a hat of the thing's own, where it wears another, and without what is in
+    the hand that holds something else."""
+    does = [(how, other.noun in HEADWEAR) for how, other in relations]
+    gone = OWN_HATS if ("wears", True) in does else ()
+    gone = (*gone, IN_HAND.get(words.noun, "")) if "holds" in dict(does) else gone
+    own = [name for name in looks(words.noun) if name in gone]
     return replace(words, absent=(*words.absent, *own))
