@@ -63,6 +63,17 @@ def test_what_goes_with_it_comes_last():
         assert words.summary(words.ask(CORE, (prompt, False))) == line
 
 
+def test_how_many_there_are_is_said():
+    told = {
+        "three red apples": "3 × apple, red",
+        "a pile of skulls": "7 × skull",
+        "an apple": "apple",
+        "a basket of green apples": "basket, bears: 6 × green apple",
+    }
+    for prompt, line in told.items():
+        assert words.summary(words.ask(CORE, (prompt, False))) == line
+
+
 def test_the_words_are_known_before_the_installation_by_blenders_own_python(tmp_path):
     core = Core(tmp_path / "no python", ROOT)
     assert words.ask(core, ("a mug", False))["thing"] == "mug"

@@ -491,6 +491,16 @@ def test_apples_fill_a_basket_to_above_its_rim():
     assert (there.sides[:2] < basket.sides[:2]).all()
 
 
+def test_eggs_in_a_basket_lie_in_it_as_they_come():
+    eggs = replace(body("an egg"), words=replace(body("an egg").words, count=5))
+    places, (basket,) = arranged(eggs, [("in", body("a basket"))])
+    there = body("a basket").placed(basket)
+    rim = float(there.without("handle", "handles")[:, 2].max())
+    points = torch.cat([place.out(eggs.verts) for place in places])
+    assert float(points[:, 2].min()) < rim < float(points[:, 2].max())
+    assert (points[:, :2].amax(0) < there.box[1, :2]).all()
+
+
 def test_copies_are_painted_each_as_the_thing_itself():
     words = replace(parse("a red apple"), count=3)
     guidance = load_builtin("cpu")

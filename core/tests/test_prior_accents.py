@@ -120,7 +120,7 @@ def test_a_material_before_a_part_is_of_that_part_alone(prompt, material, parts,
 
 
 def test_what_somebody_wears_is_a_thing_and_what_is_for_somebody_is_left_out():
-    assert parse("pirate boots") == Words("boot", left_out=("pirate",))
+    assert parse("pirate boots") == Words("boot", count=2, left_out=("pirate",))
     assert parse("a pirate with boots").noun == "pirate"
     assert parse("a bottle cap").noun == "bottle"
     words = parse("a red chair for children with blue eyes")

@@ -138,7 +138,6 @@ def test_two_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
         "salt and pepper",
         "a plate of pancakes",
         "a bowl of fruit",
-        "basket of apples",
         "a plate with a fried egg",
         "a candle in a lantern",
         "a ship in a bottle",
@@ -203,6 +202,8 @@ def test_the_report_has_each_with_its_looks():
         {
             "relation": "on",
             "thing": "chair",
+            "count": 1,
+            "order": "row",
             "colours": ["red"],
             "part_colours": {},
             "materials": ["wooden"],

@@ -143,7 +143,7 @@ def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
     ("prompt", "words", "aside"),
     [
         ("a couch with red pillows", Words("sofa"), "red pillow"),
-        ("a vase of red flowers, blue", Words("vase", color="blue"), "red flower"),
+        ("a jar of red flowers, blue", Words("jar", color="blue"), "red flower"),
         ("a yellow robot with a wooden sword", Words("robot", color="yellow"), "wooden sword"),
         ("table with lamp", Words("table"), "lamp"),
     ],
@@ -277,6 +277,8 @@ def test_what_is_understood_is_plain_data():
     assert json.loads(json.dumps(found)) == found == {
         "prompt": "a tall two-tone oak house without a chimney, red and white",
         "thing": "house",
+        "count": 1,
+        "order": "row",
         "shape": "tall",
         "parts": ["no chimney"],
         "colours": ["red", "white"],

@@ -114,9 +114,14 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 
 
 def summary(report: Report) -> str:
-    """What is understood, in the order of the prompt's grammar: "chair, red, wooden"; last what
-    goes with it: "rabbit, white, on: red pillow"."""
-    words = [report["thing"], report["shape"], report["pattern"], *report["colours"]]
+    """What is understood, in the order of the prompt's grammar: "chair, red, wooden", "3 × apple";
+    last what goes with it: "rabbit, white, on: red pillow"."""
+    words = [
+        _several(report, report["thing"]),
+        report["shape"],
+        report["pattern"],
+        *report["colours"],
+    ]
     looks, own = _of_parts(report)
     parts = [part for part in report["parts"] if part not in own]
     late = [*report.get("sheen", []), *report.get("weather", [])]
@@ -135,9 +140,16 @@ def _of_parts(report: Report) -> tuple[list[str], list[str]]:
 def _beside(other: Report) -> str:
     """Another thing, and how the first has it: "wears: red beanie (white brim)"."""
     words = [*other["colours"], other["pattern"], *other["materials"], other["thing"]]
+    name = _several(other, " ".join(filter(None, words)))
     more = [*_of_parts(other)[0], *other["emblems"]]
     behind = f" ({', '.join(more)})" if more else ""
-    return f"{other['relation']}: {' '.join(filter(None, words))}{behind}"
+    return f"{other['relation']}: {name}{behind}"
+
+
+def _several(report: Report, name: str) -> str:
+    """A thing, and how many there are of it, where there are several."""
+    count = report.get("count", 1)
+    return f"{count} × {name}" if count > 1 else name
 
 
 def replaced(prompt: str, old: str, new: str) -> str:

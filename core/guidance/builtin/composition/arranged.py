@@ -1,6 +1,7 @@
 """Where the things of a composition lie."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import torch
 
@@ -10,11 +11,10 @@ from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.resting import (
     POINT_DOWN,
-    around,
     is_stuck,
-    pierced,
     under,
     upon,
+    within,
 )
 from core.guidance.builtin.composition.wearing import worn
 from core.guidance.builtin.words.companions import Relation
@@ -25,8 +25,10 @@ EACH = ("wears", "holds")  # which of several each does by itself
 def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[Placement]]:
     """The placements of each copy of the first thing, and of each of the others, which are all of
     the training's size."""
-    things = [first, *(other for _, other in others)]
     count = first.words.count
+    if count > 1 and any(how == "in" for how, _ in others):  # eggs in a basket lie as they come
+        first = replace(first, words=replace(first.words, order="heap"))
+    things = [first, *(other for _, other in others)]
     each = all(how in EACH or other.words.count == count for how, other in others)
     if (
         count > 1 and others and each
@@ -75,7 +77,7 @@ def _joined(things: Sequence[Body], places: Sequence[Placement]) -> Body:
 
 _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {
     "on": lambda other, first: under(first, other),
-    "in": lambda other, first: (pierced if is_stuck(first, other) else around)(first, other),
+    "in": lambda other, first: within(first, other),
     "wears": worn,
     "bears": upon,
 }

@@ -49,6 +49,15 @@ def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placeme
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, sunk]))
 
 
+def within(thing: Body, other: Body) -> Placement:
+    """Where that is which ``thing`` is in: with its point, as one of a heap, or by itself."""
+    if is_stuck(thing, other):
+        return pierced(thing, other)
+    if thing.words.count > 1 and other.words.noun in CONTAINERS and not is_bunch(thing):
+        return _filling(thing, other).inverted()
+    return around(thing, other)
+
+
 def around(thing: Body, container: Body) -> Placement:
     """Where the container of ``thing`` is."""
     if container.words.noun in GROUPS["Vehicles"]:  # on its deck or its seats

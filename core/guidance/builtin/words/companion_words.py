@@ -176,9 +176,9 @@ def may_wear(first: str, other: str) -> bool:
     return other in WORN and first not in WORN and not covered
 
 
-def may_bear(other: str, first: str) -> bool:
-    """Whether the first thing may stand, lie, sit or ride on the other."""
-    if other in NO_SUPPORTS or first in HUNG:
+def may_bear(other: str, first: str, heaped: bool = False) -> bool:
+    """Whether the first thing may stand, lie, sit or ride on the other, or on a heap of it."""
+    if (other in NO_SUPPORTS and not heaped) or first in HUNG:
         return False
     return not is_building(other) or usual(other)[0] <= LARGEST_BUILDING * usual(first)[0]
 

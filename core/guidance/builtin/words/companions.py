@@ -5,9 +5,11 @@ It is taken out of the prompt before the rest is read. Standard library only.
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 from core.guidance.builtin.words import companion_words as known_as
+from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.companion_openers import (
     TOKEN,
     Opener,
@@ -45,6 +47,7 @@ class Read(NamedTuple):
 
     entry: Entry
     words: Words
+    said: str = ""  # of how many there are
 
 
 Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
@@ -76,11 +79,6 @@ _PLACED = re.compile(
 _TOPPED = re.compile(
     r"(?<![\w-])(?:topped|crowned) (?:off )?(?:with|by) (?P<phrase>an? [^,;.!?()]+)", re.IGNORECASE
 )
-_FILLED = re.compile(
-    r"(?<![\w-])(?:of|with|full of|filled with|holding|containing) (?P<phrase>"
-    r"(?:(?!(?:on|in|and|with|that|which)\b)[\w'-]+ ?){1,6})",
-    re.IGNORECASE,
-)
 _STOP = re.compile(r"[,;:.!?()]")
 _DECIMAL = re.compile(r"\d\.\d")
 _LIST = re.compile(r"(?: and|, and|,) ", re.IGNORECASE)
@@ -101,7 +99,7 @@ def companions_in(
     """
     found: list[Found] = []
     search = _Search(read, first_of)
-    for step in (search.placed, search.filled, search.opened):
+    for step in (search.placed, search.served, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
@@ -124,9 +122,7 @@ class _Search:
             first = self._first_of(prompt[: match.start()])
             said = match.groupdict()
             place = next(filter(None, (said.get(k) for k in ("place", "it", "over", "top"))), "top")
-            if said.get("within") and not known_as.may_hold_within(
-                named_in(match["phrase"]), first
-            ):
+            if said.get("within") and not fillings.may_hold(first, match["phrase"]):
                 continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
             if relation is None or (said.get("it") and is_pictured(first)):
@@ -140,22 +136,49 @@ class _Search:
             loose = not said.get("place") or relation == "bears"
             if loose and not said.get("place") and self._has_opener(clause):
                 continue
-            if one := self._taken(relation, match["phrase"].strip(), first, found):
+            one = self._taken(relation, match["phrase"].strip(), first, found)
+            if one and said.get("within"):
+                one = self._as_filling(one, first)
+            if one:
                 return [one], _cut(prompt, match.start(), match.end(), [])
         return [], prompt
 
-    def filled(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
-        """ "A vase of red tulips": the vase bears one."""
-        for match in _FILLED.finditer(prompt):
-            first = self._first_of(prompt[: match.start()])
-            phrase = match["phrase"].strip()
-            flower = named_in(phrase) in known_as.FLOWERS
-            later = self._is_later(prompt, match.start())
-            if not flower or first not in known_as.VESSELS or later:
+    def served(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "A plate of croissants": they are the thing, and lie on it."""
+        for match in fillings.SERVED.finditer(prompt):
+            start, phrase = match.start(), match["phrase"].strip()
+            food, plate = self._read(phrase), self._read(match["plate"])
+            rest = fillings.portion(food.words.noun, phrase) if food else ""
+            if not rest or plate is None or self._first_of(prompt[:start]):
                 continue
-            if one := self._taken("bears", phrase, first, found):
-                return [one], _cut(prompt, match.start(), match.end(), [])
+            if one := self._taken("on", match["plate"], food.words.noun if food else "", found):
+                gap = " " if match[0].endswith(" ") else ""
+                return [one], f"{prompt[:start]}{rest}{gap}{prompt[match.end() :]}"
         return [], prompt
+
+    def filled(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "A vase of red tulips", "a basket of apples": it bears some."""
+        for match in fillings.FILLED.finditer(prompt):
+            before, phrase = prompt[: match.start()], match["phrase"].strip()
+            first = self._first_of(before)
+            if first == "cube":  # as a box is read by itself
+                before = known_as.as_container(before.rstrip()) + " "
+                first = self._first_of(before)
+            later = self._is_later(prompt, match.start())
+            full = any(one.relation == "bears" for one in found)
+            if later or full or not fillings.may_fill(first, match["way"], phrase):
+                continue
+            one = self._taken("bears", fillings.named(phrase).phrase, first, found)
+            whole, start = before + prompt[match.start() :], len(before)
+            besides, end = fillings.more(whole, start + len(match[0].rstrip()), first)
+            if one and (one := self._as_filling(one._replace(phrase=phrase), first, besides)):
+                return [one], _cut(whole, start, end, [])
+        return [], prompt
+
+    @staticmethod
+    def _as_filling(one: Found, container: str, besides: str = "") -> Found | None:
+        words = fillings.filling(one.words, one.phrase, container, besides)
+        return one._replace(words=words) if words else None
 
     def _is_later(self, prompt: str, at: int) -> bool:
         """Whether what stands there is said of a companion: "a table with a vase of roses"."""
@@ -225,15 +248,24 @@ class _Search:
         got = self._read(phrase)
         if got is None or got.entry.form in known_as.GROWN:
             return None
-        other = got.words.noun
+        other, words = got.words.noun, got.words
+        heaped = words.count > 1 and words.order != "row"
+        if relation == "in" and words.order == "heap":  # "in a pile of leaves"
+            relation = "on"
         if relation == "holds" and other in known_as.ON_BACKS:
             relation = "wears"
+        hats = [
+            one for one in found if one.relation == "wears" and one.words.noun in known_as.HEADWEAR
+        ]
+        if relation == "wears" and other in known_as.HEADWEAR and hats:  # one has one head
+            return None
         # A hat of its own is taken off for another kind of hat, and left on for "a hat".
-        another = relation == "wears" and other in known_as.HEADWEAR and not owns(first, other)
+        own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
+        another = relation == "wears" and other in known_as.HEADWEAR and not own
         if not another and _is_part(got.entry, first):
             return None
         is_so = {
-            "on": lambda: known_as.may_bear(other, first),
+            "on": lambda: known_as.may_bear(other, first, heaped),
             "in": lambda: known_as.may_contain(other, first),
             "wears": lambda: known_as.may_wear(first, other),
             "holds": lambda: (
@@ -243,7 +275,15 @@ class _Search:
             ),
             "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
         }
-        return Found(relation, phrase, got.words) if is_so[relation]() else None
+        if relation in ("wears", "holds"):
+            words = _alone(words, got.said)
+        return Found(relation, phrase, words) if is_so[relation]() else None
+
+
+def _alone(words: Words, said: str) -> Words:
+    """Of what is worn or held there is one."""
+    notes = [f"{said}: one thing is made at a time."] if said and words.count > 1 else []
+    return replace(words, count=1, order="row", notes=(*words.notes, *notes))
 
 
 def _is_part(entry: Entry, first: str) -> bool:

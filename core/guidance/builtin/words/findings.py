@@ -6,6 +6,7 @@ from typing import Any
 
 from core.guidance.builtin.words.accents import StatedPart, accents_of
 from core.guidance.builtin.words.colors import shade
+from core.guidance.builtin.words.counts import Counted
 from core.guidance.builtin.words.kind_sizes import KIND_SIZES
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.words.measures import Size
@@ -41,6 +42,7 @@ class Findings:
     figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
     sizes: list[Size] = field(default_factory=list)
     sort: Sort = field(default_factory=Sort)  # by a shape that is a sort of the thing
+    counted: Counted = field(default_factory=Counted)  # how many there are of the thing
 
     @property
     def thing(self) -> str:

@@ -9,6 +9,7 @@ from core.guidance.builtin.words.clauses import EITHER, NOT_SAID
 from core.guidance.builtin.words.colors import CALLED_SHADES, shade
 from core.guidance.builtin.words.compounds import set_parts_apart
 from core.guidance.builtin.words.contents import set_contents_first
+from core.guidance.builtin.words.counts import set_counts_apart
 from core.guidance.builtin.words.findings import NOT_APART, with_article
 from core.guidance.builtin.words.kind_sizes import YOUNG
 from core.guidance.builtin.words.lexicon import (
@@ -75,6 +76,7 @@ class Reading(Stature):
         self.got.sizes = self._tokens.sizes
         self.got.left_out += self._tokens.measures
         set_contents_first(self._tokens)
+        self.got.counted = set_counts_apart(self._tokens)
         set_names_in_order(self._tokens)
         set_looks_in_order(self._tokens)
         self.got.notes += self._tokens.notes

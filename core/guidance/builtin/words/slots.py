@@ -2,12 +2,13 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.companion_openers import Relation
+from core.guidance.builtin.words.count_words import Order
 from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
@@ -15,8 +16,6 @@ from core.guidance.builtin.words.measures import Size
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.words import ALSO_OF_FUR
 from core.io.job import SIZES
-
-Order = Literal["row", "heap", "stack"]
 
 
 @dataclass(frozen=True)

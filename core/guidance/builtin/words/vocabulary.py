@@ -77,6 +77,8 @@ def _looks(words: Words) -> dict[str, Any]:
     second = "" if words.target else words.second_form or words.second
     return {
         "thing": words.noun,
+        "count": words.count,
+        "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
         "part_colours": words.part_shades(),
         "materials": [words.named_material()] if words.material else [],
@@ -129,8 +131,9 @@ def _companions(prompt: str, known: Vocabulary, ignore_unknown: bool) -> tuple[l
             words = _parse_alone(phrase, True, known, ignore_unknown)
         except UserError:
             return None
-        entries = _read(emblems_in(phrase)[1], known, True).found["noun"]
-        return Read(entries[0], words) if entries else None
+        got = _read(emblems_in(phrase)[1], known, True)
+        entries = got.found["noun"]
+        return Read(entries[0], words, got.counted.said) if entries else None
 
     @cache
     def first_of(text: str) -> str:
@@ -181,6 +184,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"
     words["emblems"] = emblems
+    words["count"], words["order"], _ = got.counted
     words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))

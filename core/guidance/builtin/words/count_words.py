@@ -1,0 +1,76 @@
+"""The words that say how many of a thing there are, and how they lie, as data.
+
+Standard library only.
+"""
+
+from typing import Literal
+
+Order = Literal["row", "heap", "stack"]
+
+MOST = 6  # that are counted; of more there are as many as in "many"
+MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 3
+FIGURES = {
+    word: number
+    for number, word in enumerate(
+        """two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen
+        sixteen seventeen eighteen nineteen twenty""".split(),
+        2,
+    )
+} | {"fifty": 50, "hundred": 100}
+MOST_DIGITS = 100  # 1967 is a year
+FEW_WORDS = frozenset("several few some multiple various".split())
+MANY_WORDS = frozenset("many numerous countless".split())
+EVEN_WORDS = {"twin": 2, "dual": 2}
+# Before "of", and what they are for animals and for what is as large as a chair.
+SETS = {
+    **dict.fromkeys("pair couple duo brace".split(), 2),
+    **dict.fromkeys("trio triplet trinity handful set row".split(), FEW),
+    **dict.fromkeys("quartet foursome".split(), 4),
+}
+GROUPS = frozenset(
+    """bunch group bundle cluster clump collection assortment pack dozen dozens hundreds lots lot
+    plenty loads tons load flock herd school swarm crowd team gang army family litter""".split()
+)
+HEAPS = frozenset("pile piles heap heaps mound mounds mountain".split())
+STACKS = frozenset("stack stacks".split())
+WITHOUT_OF = frozenset("dozen couple".split())
+LAID = frozenset(("stacked", "piled"))  # before the name: "three stacked crates"
+_EACH = ("on top of each other", "on each other", "on top of one another", "high", "up")
+LYING: dict[str, Order] = {
+    **{f"stacked {how}": "stack" for how in _EACH},
+    **{f"piled {how}": "heap" for how in _EACH},
+    **dict.fromkeys(("on top of each other", "on top of one another", "in a stack"), "stack"),
+    **dict.fromkeys(("stacked",), "stack"),
+    **dict.fromkeys(("piled", "in a pile", "in a heap"), "heap"),
+    **dict.fromkeys(("in a row", "in a line", "side by side", "next to each other"), "row"),
+}
+# Their plural names one thing, or our thing is of several by itself.
+SEVERAL = frozenset(
+    """headphones trousers sunglasses scissors grapes fries pancakes maracas binoculars pliers
+    goggles crystal popcorn salad ramen pawn""".split()
+) | {"stack of books", "bamboo plant", "drum kit", "hay bale"}
+SAY_LITTLE = ("pair", "some", "bunch")  # of these
+DOUBLE = frozenset(("cherry",))  # it is two on one stalk
+PAIRED = frozenset("boot sneaker sandal sock glove".split()) | {
+    *("high heel", "roller skate", "boxing glove"),
+}
+LOOSE = 0.6  # metres: what is longer, and what is alive, is in no heap unless that is said
+BOXES = ("box", "boxes")
+PORTIONS = {f"{one}s": one for one in ("slice", "piece", "wedge", "chunk", "segment", "section")}
+RICHES = frozenset("gold treasure treasures riches loot".split())
+COINS = ["golden", "coins"]
+ALIKE = frozenset(
+    "dice mice geese people cacti sheep deer oxen koi squid salmon moose teeth firewood".split()
+)
+NO_PLURAL = ("ss", "us", "is", "lens", "gas", "christmas", "canvas")
+# Right behind a number these are what the thing has: "two headed dragons", "3 seater sofas".
+OF_PARTS = frozenset(
+    """tone toned story storey storied seater tier tiers tiered piece pack player way speed door
+    wheel wheeled leg legged string stringed karat carat year page sided pointed headed eyed eared
+    horned winged handed armed footed tailed masted engine barrel barreled fingered toed ply
+    layer layered""".split()
+)
+WITHIN = 6  # words from the number to the name, at most
+# Of these one is as much as fills a bowl.
+IN_ONE_HEAP = frozenset(("grapes",))
+PORTION = "five"  # of food on a plate

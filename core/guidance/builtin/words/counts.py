@@ -1,0 +1,335 @@
+"""How many of a thing a prompt wants, and how they lie: "two apples", "a pile of gold coins".
+
+The words for it are taken out before the rest is read. Standard library only.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from core.guidance.builtin.words.count_words import (
+    ALIKE,
+    BOXES,
+    COINS,
+    DOUBLE,
+    EVEN_WORDS,
+    FEW,
+    FEW_WORDS,
+    FIGURES,
+    GROUPS,
+    HEAPED,
+    HEAPS,
+    LAID,
+    LOOSE,
+    LYING,
+    MANY,
+    MANY_WORDS,
+    MOST,
+    MOST_DIGITS,
+    NO_PLURAL,
+    OF_PARTS,
+    PAIRED,
+    PORTIONS,
+    RICHES,
+    SAY_LITTLE,
+    SETS,
+    SEVERAL,
+    STACKED,
+    STACKS,
+    WITHIN,
+    WITHOUT_OF,
+    Order,
+)
+from core.guidance.builtin.words.lexicon import singulars
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.tokens import LONGEST, Tokens
+from core.guidance.builtin.words.words import (
+    ARTICLES,
+    FILLER,
+    IGNORED_ADJECTIVES,
+    OWN,
+    PHRASE_ENDS,
+    SIZE_WORDS,
+)
+
+
+class Counted(NamedTuple):
+    """How many of it, how they lie, and the word that says so, "" for a plain plural."""
+
+    count: int = 1
+    order: Order = "row"
+    said: str = ""
+
+
+@dataclass
+class _Said:
+    """What a number or a word such as "pile" says, and the index behind it."""
+
+    end: int
+    count: int
+    order: Order = "row"
+    is_number: bool = False
+    is_pile: bool = False
+    is_vague: bool = False
+
+
+class _Head(NamedTuple):
+    """Where the name of the thing stands, and whether there are several of it."""
+
+    begin: int
+    end: int
+    is_plural: bool
+
+    def name(self, tokens: Tokens) -> str:
+        return " ".join(tokens.words[self.begin : self.end])
+
+
+def set_counts_apart(tokens: Tokens) -> Counted:
+    """Take out how many there are of the first thing, where as many can be made."""
+    for at in range(len(tokens.words)):
+        named = tokens.first_thing(at)
+        said = _said(tokens, at)
+        if named and not (said and _is_more_than_name(tokens, at, named)):
+            break
+        if said is None or not _begins(tokens, at, said):
+            continue
+        if said.is_pile:
+            _name_what_is_piled(tokens, said.end)
+        head = _head(tokens, said.end)
+        return _taken(tokens, at, said, head) if head else Counted()
+    return _plain(tokens)
+
+
+def is_many(tokens: Tokens) -> bool:
+    """Whether they name several of a thing, with a number or without."""
+    head = _head(tokens, 0)
+    return head is not None and head.is_plural
+
+
+def named_singly(phrase: str, tokens: Tokens) -> str:
+    """The phrase with its thing's name in the singular: "old books" name no stack of books."""
+    head = _head(tokens, 0)
+    if head is None:
+        return phrase
+    last = tokens.words[head.end - 1]
+    single = _single(tokens, head)
+    return phrase[: phrase.lower().rindex(last)] + single if single and last in phrase else phrase
+
+
+def _said(tokens: Tokens, at: int) -> _Said | None:
+    """What the word at the index says of how many there are."""
+    words = tokens.words
+    word, behind = words[at], words[at + 1 : at + 2]
+    if at + 1 in tokens.breaks:
+        return None
+    if word == "half" and "dozen" in words[at + 1 : at + 3]:
+        end = words.index("dozen", at) + 1
+        return _Said(end + (words[end : end + 1] == ["of"]), MOST, is_number=True)
+    if number := _number(word):
+        pairs = behind == ["pairs"] and words[at + 2 : at + 3] == ["of"]
+        end, number = (at + 3, 2 * number) if pairs else (at + 1, number)
+        return _exactly(end, number)
+    if word in EVEN_WORDS:
+        return _Said(at + 1, EVEN_WORDS[word], is_number=True)
+    of = behind == ["of"]
+    end = at + 1 + of
+    if word in FEW_WORDS and not (word == "some" and of):
+        return _Said(end, FEW, is_vague=True)
+    if word in MANY_WORDS:
+        return _Said(end, MANY, "heap", is_vague=True)
+    if not of and word not in WITHOUT_OF:
+        return None
+    inner = _number(words[end]) if end < len(words) and end not in tokens.breaks else 0
+    if word in HEAPS:
+        count = min(inner, HEAPED) or HEAPED
+        return _Said(end + bool(inner), count, "heap", is_pile=True)
+    if word in STACKS:
+        count = min(inner, MOST) or STACKED
+        return _Said(end + bool(inner), count, "stack", is_pile=True)
+    if inner:
+        return _exactly(end + 1, inner) if word in {*SETS, *GROUPS} else None
+    if word in SETS:
+        return _Said(end, SETS[word], is_number=SETS[word] == 2)
+    return _Said(end, MANY, "heap") if word in GROUPS else None
+
+
+def _exactly(end: int, number: int) -> _Said:
+    if number > MOST:
+        return _Said(end, MANY, "heap", is_number=True)
+    return _Said(end, number, is_number=True)
+
+
+def _number(word: str) -> int:
+    """The number that a word is from two on, or 0."""
+    if word.isascii() and word.isdigit():
+        return int(word) if len(word) < 4 and 2 <= int(word) <= MOST_DIGITS else 0
+    return FIGURES.get(word, 0)
+
+
+def _is_more_than_name(tokens: Tokens, at: int, named: str) -> bool:
+    """Whether a thing's name only begins with how many there are: "pair of socks", and "three
+    candles", which may be a candelabra's."""
+    name = next(phrase for phrase in tokens.phrases(at) if tokens.thing(phrase))
+    number, _, rest = name.partition(" ")
+    group = not rest and number in GROUPS | HEAPS  # "a school of fish"
+    return group or named in PAIRED or bool(_number(number) and tokens.thing(rest))
+
+
+def _begins(tokens: Tokens, at: int, said: _Said) -> bool:
+    """Whether how many there are of the first thing is said at the index, and not what a part of
+    it has: "a two headed dragon"."""
+    before = tokens.words[at - 1] if at else ""
+    ahead = tokens.words[said.end : said.end + 1]
+    clause = max((k for k in tokens.breaks if k <= at), default=0)
+    if any(tokens.entry(word) for word in tokens.words[:clause]) or not ahead:
+        return False
+    if said.is_number and (
+        not OF_PARTS.isdisjoint(ahead) or ahead[0].isdigit() or len(ahead[0]) < 2
+    ):
+        return False
+    if said.end != at + 1 or said.is_pile:  # "a big pile of"
+        before = next((w for w in reversed(tokens.words[:at]) if w in PHRASE_ENDS), "")
+        return before in ("", "of", *ARTICLES)
+    if before in ("a", "an"):
+        return tokens.words[at] in {*WITHOUT_OF, "few", "hundred"}
+    if at in tokens.breaks or not before:
+        return True
+    is_said_of = before in PHRASE_ENDS and before not in ("of", *OWN)
+    return not is_said_of and before in FILLER | IGNORED_ADJECTIVES
+
+
+def _head(tokens: Tokens, begin: int) -> _Head | None:
+    """The name of the thing that is spoken of from the index on."""
+    found, portions = None, False
+    at = begin
+    while at < min(len(tokens.words), begin + WITHIN + LONGEST):
+        if at in tokens.breaks and found:
+            break
+        if many := "" if found else _of_many(tokens, at):
+            tokens.words[at], portions = many, True
+        name = next((phrase for phrase in tokens.phrases(at) if tokens.thing(phrase)), "")
+        word = tokens.words[at]
+        if name:
+            found = (at, at + len(name.split()))
+        elif portions and not found and (many or word == "of"):  # "slices of pizza"
+            pass
+        elif found or (word in PHRASE_ENDS - {"and"} and at > begin) or at > begin + WITHIN:
+            break
+        at = found[1] if found else at + 1
+    return _Head(*found, portions or _is_plural(tokens.words[slice(*found)])) if found else None
+
+
+def _of_many(tokens: Tokens, at: int) -> str:
+    """The singular of the word there, where that begins a name of what there are several of:
+    "cups of coffee", "slices of pizza"."""
+    words = tokens.words[at : at + LONGEST]
+    if words[1:2] != ["of"] or not tokens.breaks.isdisjoint((at + 1, at + 2)):
+        return ""
+    names = (s for s in singulars(words[0])[1:] if tokens.thing(" ".join([s, *words[1:]])))
+    return next(names, "") or PORTIONS.get(words[0], "")
+
+
+def _is_plural(words: list[str]) -> bool:
+    """Whether a name is in the plural."""
+    heads = [words[0], words[-1]] if "of" in words else words[-1:]
+    return any(
+        word in ALIKE
+        or word.endswith(("men", "fish"))
+        or (word.endswith("s") and not word.endswith(NO_PLURAL))
+        for word in heads
+    )
+
+
+def _single(tokens: Tokens, head: _Head) -> str:
+    """The last word of the name in the singular, where that names another thing, or ""."""
+    *before, last = tokens.words[head.begin : head.end]
+    noun = tokens.thing(head.name(tokens))
+    for form in singulars(last)[1:]:
+        name = " ".join([*before, form])
+        single = tokens.thing(name)
+        if single and single != noun:
+            return form
+    return ""
+
+
+def _name_what_is_piled(tokens: Tokens, begin: int) -> None:
+    """ "A pile of gold" is of coins, "a stack of boxes" of cardboard boxes."""
+    end = next((k for k in range(begin, len(tokens.words)) if tokens.ends_phrase(k + 1)), begin)
+    word = tokens.words[end]
+    if word in RICHES and tokens.thing(COINS[-1]):
+        tokens.put(begin, end + 1, COINS)
+    elif word in BOXES and end == tokens.qualities_end(begin, ("color",)):
+        tokens.put(end, end + 1, ["cardboard", "boxes"])
+
+
+def _taken(tokens: Tokens, at: int, said: _Said, head: _Head) -> Counted:
+    """Take the words out, if there may be several of the thing whose name stands there."""
+    words = tokens.words
+    pile = " ".join([*words[at : at + 2], words[head.end - 1]])  # "a stack of old books"
+    if not head.is_plural or tokens.thing(pile) in SEVERAL:
+        return Counted()
+    is_exact = said.is_number and said.count != MANY
+    if (is_exact or said.is_pile) and (single := _single(tokens, head)):
+        words[head.end - 1] = single
+    noun = tokens.thing(head.name(tokens))
+    word = words[at]
+    if noun in SEVERAL:
+        tokens.cut(at, said.end)
+        tokens.notes += [] if word in SAY_LITTLE else [f"{word}: one thing is made at a time."]
+        return Counted()
+    count, order = _fitting(noun, said)
+    if word == "some" and noun in PAIRED:
+        count = 2
+    if _number(word) > MOST:
+        tokens.notes.append(f"{word}: {count} are made.")
+    for k in reversed(range(said.end, head.begin)):
+        if words[k] in LAID:
+            order = "stack"
+            tokens.cut(k, k + 1)
+    order = _cut_how_it_lies(tokens, head.end) or order
+    tokens.cut(at, said.end)
+    if said.is_pile:
+        _leave_its_size(tokens, at)
+    return Counted(count, order, word)
+
+
+def _cut_how_it_lies(tokens: Tokens, begin: int) -> Order | None:
+    """Take out that they are "stacked on top of each other", "in a row"; how they lie so."""
+    for at in range(begin, len(tokens.words)):
+        for text, order in LYING.items():
+            words = text.split()
+            if tokens.words[at : at + len(words)] == words:
+                tokens.cut(at, at + len(words))
+                return order
+    return None
+
+
+def _fitting(noun: str, said: _Said) -> tuple[int, Order]:
+    """How many there are of the thing, and how such things lie."""
+    count = (said.count + 1) // 2 if noun in DOUBLE and not said.is_pile else said.count
+    loose = said.is_pile or (not is_creature(noun) and usual(noun)[0] <= LOOSE)
+    return count, said.order if loose else "row"
+
+
+def _leave_its_size(tokens: Tokens, at: int) -> None:
+    """A huge pile is one of the same things."""
+    for k in reversed(range(at)):
+        if tokens.words[k] in SIZE_WORDS:
+            tokens.cut(k, k + 1)
+
+
+def _plain(tokens: Tokens) -> Counted:
+    """A plain plural is one of it, but for what comes in pairs, and what is stacked."""
+    at = next((k for k in range(len(tokens.words)) if tokens.has_thing(k)), None)
+    if at is None:
+        return Counted()
+    head = _head(tokens, at)
+    if head is None or not head.is_plural:
+        return Counted()
+    noun = tokens.thing(head.name(tokens))
+    if noun in PAIRED:
+        return Counted(2)
+    if noun not in SEVERAL and tokens.words[at - 1 : at] == ["stacked"]:
+        tokens.cut(at - 1, at)
+        return Counted(FEW, "stack")
+    return Counted()

@@ -1,0 +1,131 @@
+"""What fills a container, and what lies on a plate: "a basket of apples", "a plate of croissants".
+
+Standard library only.
+"""
+
+import re
+from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
+
+from core.guidance.builtin.words import companion_words as known_as
+from core.guidance.builtin.words.companion_openers import named_in
+from core.guidance.builtin.words.contents import FOOD
+from core.guidance.builtin.words.count_words import (
+    CONTAINED,
+    GROWING,
+    IN_ONE_HEAP,
+    PORTION,
+    SEVERAL,
+)
+from core.guidance.builtin.words.counts import is_many, named_singly, set_counts_apart
+from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_names import owns
+from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.tokens import Tokens
+
+_COLOR = "|".join(SLOTS["color"])
+_PHRASE = (
+    rf"(?P<phrase>(?:(?:{_COLOR}),? and )?"
+    r"(?:(?!(?:on|in|and|with|that|which)\b)[\w'-]+ ?){1,6})"
+)
+_FULL = (
+    r"(?:(?:completely|half) )?(?:full of|full with|(?:filled|packed|overflowing|brimming|loaded|"
+    r"stuffed|heaped|piled|bursting|laden)(?: to the (?:brim|top)| up| high)? with|"
+    r"full to the (?:brim|top) (?:with|of)|containing)"
+)
+FILLED = re.compile(
+    rf"(?<![\w-])(?P<way>{_FULL}|of|with|holding|carrying) {_PHRASE}", re.IGNORECASE
+)
+# What fills it too: one thing does here.
+_MORE = re.compile(rf",? and (?!(?:an?|the|[a-z]+ing) ){_PHRASE}", re.IGNORECASE)
+SERVED = re.compile(
+    r"(?<![\w-])(?P<plate>(?:(?:an?|the) )?(?:(?!of\b)[\w'-]+ ){0,3}?(?:plate|platter|tray|dish)) "
+    rf"(?:{_FULL}|of|with) {_PHRASE}",
+    re.IGNORECASE,
+)
+FISH = frozenset("fish clownfish koi starfish".split())
+PLATE = "plate"
+SURELY = ("of", "containing")  # and what is full of it: "with" may be a print
+LARGEST = 2.0  # times as long as what it is in
+
+
+class Named(NamedTuple):
+    """A phrase with the thing's name as it names one of several, and whether it names several."""
+
+    phrase: str
+    is_many: bool
+    is_counted: bool
+
+
+@cache
+def named(phrase: str) -> Named:
+    """What a phrase names, of whatever number."""
+    tokens = Tokens.of(phrase, SLOTS)
+    many, single = is_many(tokens), named_singly(phrase, tokens)
+    counted = bool(set_counts_apart(Tokens.of(phrase, SLOTS)).said)
+    return Named(phrase if counted else single, many, counted)
+
+
+def may_fill(container: str, way: str, phrase: str) -> bool:
+    """Whether it says what is in the container, and not what is printed on it."""
+    if named_in(phrase) in known_as.FLOWERS and container in known_as.VESSELS:
+        return True
+    if container == PLATE and named_in(phrase) in FOOD:  # then the food is the thing
+        return False
+    sure = way.lower() in SURELY or " " in way
+    return (
+        container in known_as.CONTAINERS
+        and named(phrase).is_many
+        and (sure or not known_as.is_pictured(container))
+    )
+
+
+def may_hold(container: str, phrase: str) -> bool:
+    """Whether the container is said to have it "in it"."""
+    several = container in known_as.CONTAINERS and named(phrase.strip()).is_many
+    return several or known_as.may_hold_within(named_in(phrase), container)
+
+
+def filling(words: Words, phrase: str, container: str, besides: str = "") -> Words | None:
+    """As :func:`_filling`, with a note on what is left out besides."""
+    found = _filling(words, phrase, container)
+    if not (found and besides):
+        return found
+    note = f"{besides}: left out, as one thing is made at a time."
+    return replace(found, notes=(*found.notes, note), left_out=(*found.left_out, *besides.split()))
+
+
+def _filling(words: Words, phrase: str, container: str) -> Words | None:
+    """Of what is in the container as much as there is to see; None: it is too large, or a meal."""
+    noun = words.noun
+    flower = noun in known_as.FLOWERS
+    if not flower and words.usual()[0] > LARGEST * usual(container)[0]:
+        return None
+    if noun in SEVERAL and noun not in IN_ONE_HEAP:
+        return None
+    if words.count > 1:
+        return replace(words, order="heap")
+    if not named(phrase).is_many or noun in IN_ONE_HEAP:
+        return words
+    few = flower or (is_creature(noun) and noun not in FISH)
+    return replace(words, count=GROWING if few else CONTAINED, order="heap")
+
+
+def more(prompt: str, end: int, container: str) -> tuple[str, int]:
+    """What is said to fill the container besides, from the index on, and where that ends."""
+    found = _MORE.match(prompt, end)
+    phrase = found["phrase"].strip() if found else ""
+    if not phrase or owns(container, phrase.split()[-1]):
+        return "", end
+    return phrase, end + len(found[0].rstrip()) if found else end
+
+
+def portion(noun: str, phrase: str) -> str:
+    """The food on a plate as a prompt by itself, or "" if it is a meal or no food."""
+    own = named(phrase)
+    if noun not in FOOD or noun in SEVERAL or not own.is_many:
+        return ""
+    return f"a heap of {'' if own.is_counted else PORTION + ' '}{own.phrase}"
