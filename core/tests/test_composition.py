@@ -176,6 +176,36 @@ def test_a_bow_tie_is_below_the_eyes_and_in_front():
     assert float(centered(tie)[1]) < 0
 
 
+def test_headphones_are_over_the_ears_and_a_headset_is_before_the_eyes():
+    cat = body("a cat")
+    head = head_of(cat)
+    phones = body("headphones").placed(worn(body("headphones"), cat))
+    assert float(phones.sides[0]) > head.wide and float(phones.box[1, 2]) > head.top
+    assert float(phones.box[0, 2]) < head.top
+    headset = body("a vr headset").placed(worn(body("a vr headset"), body("a robot")))
+    eyes = body("a robot").of_parts("eyes")
+    eyes = eyes[eyes[:, 2] > 0]  # not its panel
+    assert float(headset.box[0, 1]) < float(eyes[:, 1].min()) - 0.05
+
+
+def test_a_tie_hangs_down_from_the_neck_before_the_chest():
+    person = body("a person")
+    tie = body("a necktie").placed(worn(body("a necktie"), person))
+    low, high = person.box[:, 2].tolist()
+    assert float(tie.box[1, 2]) < head_of(person).eyes
+    assert float(tie.box[0, 2]) > low + 0.3 * (high - low)
+    assert float(centered(tie)[1]) < 0
+
+
+def test_a_scarf_is_around_the_neck():
+    fox = body("a fox")
+    scarf = body("a scarf").placed(worn(body("a scarf"), fox))
+    middle = head_of(fox).middle
+    low, high = scarf.box
+    assert float(low[1]) < float(middle[1]) < float(high[1])
+    assert float(high[2]) < head_of(fox).top
+
+
 def test_a_sword_is_held_by_its_grip_at_the_side():
     person = body("a person")
     sword = body("a sword").placed(held(body("a sword"), person))

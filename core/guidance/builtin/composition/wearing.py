@@ -14,6 +14,7 @@ from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.companion_words import (
     AROUND_NECKS,
     EYEWEAR,
+    FACES,
     HEADWEAR,
     ON_BACKS,
 )
@@ -22,7 +23,7 @@ from core.guidance.builtin.words.slots import Words
 
 IN_HAND = {"knight": "shield"}  # in the hand that would hold something else
 OWN_HATS = "hat", "crown", "helmet"  # parts, which a thing takes off for another one
-MASK = "gas mask"
+WRAPPED_ROUND = ("scarf", "necklace")
 # What stands out of a head and is not part of its width.
 NO_HEAD = tuple(
     """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
@@ -35,6 +36,10 @@ MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
 BELOW, REACH, FACE = 0.4, 0.2, 0.45
 # Of the neck's width; of a scarf's height, below its top; of the head's width, a neck's at most.
 WRAPPED, RING, SLIM = 1.3, 0.28, 0.95
+GLASSES_LIKE, OUT = ("sunglasses", "goggles"), 0.6  # of the depth: before the eyes
+HANGING = ("necktie", "medal")
+HANGS, FOREMOST = 0.85, 0.03  # of the head's width, how long; of a chest's points, what is before
+EARS = 1.12  # of the head's width
 # Of the head's width: a hat's crown, glasses, a mask, a bow tie.
 HAT, GLASSES, MASKED, TIE = 1.04, 1.06, 0.8, 0.55
 BAND = (0.25, 0.5)  # of a hat's height: where it is as wide as the head that it is made for
@@ -65,12 +70,16 @@ class Head(NamedTuple):
 def worn(item: Body, wearer: Body) -> Placement:
     """Where what is worn is."""
     noun, head = item.words.noun, head_of(wearer)
-    if noun in EYEWEAR or noun == MASK:
+    if noun == "headphones":
+        return _over_ears(item, head)
+    if noun in EYEWEAR | FACES:
         by = GLASSES if noun in EYEWEAR else MASKED
         place = Placement.of(by * head.wide / float(item.sides[0]))
         there = item.placed(place)
         middle = there.box.mean(0)
-        at = torch.tensor([head.middle[0], head.front - SUNK, head.eyes])
+        # Glasses have sides that go on behind; the others stand out.
+        out = SUNK if noun in GLASSES_LIKE else OUT * float(there.sides[1])
+        at = torch.tensor([head.middle[0], head.front - out, head.eyes])
         return place.moved(at - torch.stack([middle[0], there.box[0, 1], middle[2]]))
     if noun in ON_BACKS:
         return _on_back(item, wearer, head)
@@ -93,9 +102,12 @@ def _on_head(hat: Body, head: Head) -> Placement:
 
 
 def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
-    """A scarf around the narrowest place below the head, a bow tie before it."""
+    """A scarf around the narrowest place below the head, a bow tie before it, what hangs down
+    from there before the chest."""
     neck = _neck_of(wearer, head)
-    wrapped = item.words.noun == "scarf"
+    if item.words.noun in HANGING:
+        return _before_chest(item, wearer, head, neck)
+    wrapped = item.words.noun in WRAPPED_ROUND
     wide = WRAPPED * min(neck.wide, SLIM * head.wide) if wrapped else TIE * head.wide
     place = Placement.of(wide / float(item.sides[0]))
     there = item.placed(place)
@@ -105,6 +117,30 @@ def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
         return place.moved(neck.middle - torch.stack([middle[0], middle[1], ring]))
     at = torch.tensor([float(neck.middle[0]), neck.front + SUNK, float(neck.middle[2])])
     return place.moved(at - torch.stack([middle[0], there.box[1, 1], middle[2]]))
+
+
+def _before_chest(item: Body, wearer: Body, head: Head, neck: "Neck") -> Placement:
+    there = item.placed(Placement.of(HANGS * head.wide / float(item.sides[2])))
+    place = Placement.of(HANGS * head.wide / float(item.sides[2]))
+    top, high = float(neck.middle[2]), float(there.sides[2])
+    rest = wearer.without(*NO_HEAD, *MUZZLES)
+    chest = rest[
+        (rest[:, 2] < top)
+        & (rest[:, 2] > top - high)
+        & ((rest[:, 0] - head.middle[0]).abs() < there.sides[0])
+    ]
+    front = float(chest[:, 1].quantile(FOREMOST)) if len(chest) else neck.front
+    middle = there.box.mean(0)
+    at = torch.tensor([float(neck.middle[0]), front + SUNK, top])
+    return place.moved(at - torch.stack([middle[0], there.box[1, 1], there.box[1, 2]]))
+
+
+def _over_ears(item: Body, head: Head) -> Placement:
+    place = Placement.of(EARS * head.wide / float(item.sides[0]))
+    there = item.placed(place)
+    middle = there.box.mean(0)
+    at = torch.stack([head.middle[0], head.middle[1], torch.tensor(head.top + 2 * SUNK)])
+    return place.moved(at - torch.stack([middle[0], middle[1], there.box[1, 2]]))
 
 
 class Neck(NamedTuple):

@@ -14,10 +14,11 @@ from core.guidance.builtin.words.sizes import usual
 HEADWEAR = frozenset(
     ("hat", "wizard hat", "cowboy hat", "pirate hat", "crown", "helmet", "beanie", "baseball cap")
 )
-EYEWEAR = frozenset(("sunglasses", "goggles"))
-AROUND_NECKS = frozenset(("scarf", "bow tie"))
+EYEWEAR = frozenset(("sunglasses", "goggles", "vr headset"))
+FACES = frozenset(("gas mask", "mask"))  # over them
+AROUND_NECKS = frozenset(("scarf", "bow tie", "necktie", "medal", "necklace"))
 ON_BACKS = frozenset(("backpack", "jetpack"))
-WORN = HEADWEAR | EYEWEAR | AROUND_NECKS | ON_BACKS | {"gas mask"}
+WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | {"headphones"}
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(
     (
