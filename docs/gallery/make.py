@@ -2,7 +2,7 @@
 
 ``run.py batch`` makes the prompts of prompts.txt, the first ``COUNT`` of them, by the draft preset
 with seed 0. Each is shown as its normals, its base colour and a Cycles render. The batch lies in
-out/gallery; the strips and README.md here are made of it, and the project's own picture of four.
+out/gallery; the strips and README.md here are made of it, and the project's own picture of five.
 """
 
 import csv
@@ -18,11 +18,11 @@ BATCH = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
-    "a corgi",
-    "a jack-o'-lantern",
-    "a hamburger",
-    "a mushroom with a spotted red cap",
-    "an owl",
+    "a corgi wearing a green scarf",
+    "a rusted sword stuck in a mossy stone",
+    "a white rabbit sitting on a stack of pancakes",
+    "an astronaut riding a horse",
+    "a basket of red apples",
 )
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
