@@ -5,12 +5,15 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.guidance.builtin.composition.placement import Body, Placement, sized
-from core.guidance.builtin.composition.wearing import NO_HEAD, UPRIGHT
+from core.guidance.builtin.composition.wearing import NO_HEAD, UPRIGHT, head_of
 from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.words.companion_words import FLOWERS
 
-HELD = (0.28, 0.85)  # of the holder's longest side
+# Of the holder's longest side, at least and at most: what is held; of it what is not slender; what
+# stands up from a hand.
+HELD, BULKY, RAISED_SIZES = (0.28, 0.85), (0.28, 0.5), (0.4, 0.75)
 SLENDER, LONG = 2.2, 1.25  # times as long as it is wide: along its grip; across a mouth
-AT_CHEST, AT_MOUTH = 0.45, 0.42  # of the holder's longest side, at most
+AT_CHEST, AT_MOUTH = (0.28, 0.45), ((0.2, 0.3), (0.28, 0.42))  # in a mouth: bulky, long
 HANDED = frozenset(GROUPS["Characters"]) | frozenset("person knight alien robot skeleton".split())
 CLAWED = {"crab": "claws", "lobster": "claws", "scorpion": "claws"}
 # What hangs on its grip or stands up from it, in a mouth too.
@@ -18,6 +21,8 @@ RAISED = frozenset("umbrella balloon torch candle lantern signpost".split())
 RAISED |= frozenset(GROUPS["Flags and Signs"]) | {"flag", "stop sign", "kite"}
 GRIPS = "string handle grip hilt handles shaft stick pole stem neck post rod".split()
 GRIPPED = 0.2  # of what has no grip, from its lower end
+NO_ARM = tuple(name for name in NO_HEAD if name not in ("arms", "limbs", "legs", "claws"))
+CHIN = 0.9  # of the head's width below the eyes, at most: the mouth
 ARM = (0.25, 0.75)  # of a figure's height: where the hand is
 OUT = 0.82  # of the way to the side, from which on it is the arm
 CHEST = 0.42  # of the height
@@ -32,7 +37,7 @@ def held(item: Body, holder: Body, second: bool = False) -> Placement:
     if noun in HANDED or noun in CLAWED:
         return _in_hand(item, holder, second)
     if second:
-        place = Placement.of(sized(item, holder, HELD[0], AT_CHEST))
+        place = Placement.of(sized(item, holder, *AT_CHEST))
         return place.moved(_beside(holder) - _grip(item.placed(place)))
     if holder.sides[2] > UPRIGHT * holder.sides[1]:
         return _before_chest(item, holder)
@@ -40,10 +45,13 @@ def held(item: Body, holder: Body, second: bool = False) -> Placement:
 
 
 def _in_hand(item: Body, holder: Body, second: bool) -> Placement:
-    place = Placement.of(sized(item, holder, *HELD))
+    raised = item.words.noun in RAISED
+    long = _along(item) == 2 and item.words.noun not in FLOWERS
+    sizes = RAISED_SIZES if raised else HELD if long else BULKY
+    place = Placement.of(sized(item, holder, *sizes))
     there = item.placed(place)
     hand = _hand(holder) * torch.tensor([-1.0 if second else 1.0, 1.0, 1.0])
-    if _along(there) == 2:  # a staff, a sword: upright, by its grip
+    if raised or _along(there) == 2:  # a staff, a sword: upright, by its grip
         return place.moved(hand - _grip(there))
     middle = there.box.mean(0)
     back = torch.stack([middle[0], there.box[1, 1], middle[2]])
@@ -57,7 +65,7 @@ def _hand(holder: Body) -> Float[Tensor, " 3"]:
         mine = found[found[:, 0] < found[:, 0].mean()]
         tip = mine[mine[:, 1] <= mine[:, 1].quantile(0.1)]
         return tip.mean(0)
-    rest = holder.without(*NO_HEAD)
+    rest = holder.without(*NO_ARM)
     low, high = (float(holder.box[0, 2] + share * holder.sides[2]) for share in ARM)
     arms = rest[(rest[:, 2] > low) & (rest[:, 2] < high)]
     if not len(arms):
@@ -85,7 +93,7 @@ def _along(item: Body, times: float = SLENDER) -> int:
 
 
 def _before_chest(item: Body, holder: Body) -> Placement:
-    place = Placement.of(sized(item, holder, HELD[0], AT_CHEST))
+    place = Placement.of(sized(item, holder, *AT_CHEST))
     there = item.placed(place)
     z = float(holder.box[0, 2] + CHEST * holder.sides[2])
     half = 0.3 * float(there.sides[2])
@@ -101,22 +109,30 @@ def _before_chest(item: Body, holder: Body) -> Placement:
 
 def _in_mouth(item: Body, holder: Body) -> Placement:
     if item.words.noun in RAISED:
-        place = Placement.of(sized(item, holder, *HELD))
+        place = Placement.of(sized(item, holder, *RAISED_SIZES))
         return place.moved(_beside(holder) - _grip(item.placed(place)))
-    turn = {2: SIDEWAYS, 1: ACROSS}.get(_along(item, LONG), torch.eye(3))
-    place = Placement.of(sized(item, holder, HELD[0], AT_MOUTH), turn)
+    along = _along(item, LONG)
+    turn = {2: SIDEWAYS, 1: ACROSS}.get(along, torch.eye(3))
+    place = Placement.of(sized(item, holder, *AT_MOUTH[along >= 0]), turn)
     there = item.placed(place)
-    return place.moved(_mouth(holder) - there.box.mean(0))
+    at = there.box.mean(0)
+    if along < 0:  # below the nose, or it would hide the face
+        at[2] = there.box[1, 2] - SUNK
+    return place.moved(_mouth(holder) - at)
 
 
 def _beside(holder: Body) -> Float[Tensor, " 3"]:
     """Beside the shoulder, so that what stands up there hides no face."""
-    low, sides = holder.box[0], holder.sides
-    return low + sides * torch.tensor([0.0, 0.3, 0.6])
+    low, high = holder.box
+    side = holder.without(*NO_HEAD)[:, 0].amin()
+    y, z = (low + (high - low) * torch.tensor([0.0, 0.3, 0.6]))[1:]
+    return torch.stack([side, y, z])
 
 
 def _mouth(holder: Body) -> Float[Tensor, " 3"]:
     """What is foremost of the head."""
-    rest = holder.without(*NO_HEAD)
+    rest, head = holder.without(*NO_HEAD), head_of(holder)
+    near = rest[rest[:, 2] > head.eyes - CHIN * head.wide]
+    rest = near if len(near) else rest
     front = rest[rest[:, 1] <= rest[:, 1].amin() + 0.06 * holder.sides[1]]
     return (front.amin(0) + front.amax(0)) / 2

@@ -7,7 +7,13 @@ from torch import Tensor
 from core.geometry.init_shape import sample_surface
 from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.words.companion_words import CONTAINERS, FLOWERS, PIERCED, POINTED
+from core.guidance.builtin.words.companion_words import (
+    CONTAINERS,
+    EDIBLE,
+    FLOWERS,
+    PIERCED,
+    POINTED,
+)
 from core.guidance.builtin.words.living import is_animal
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
@@ -30,6 +36,7 @@ ROOM = 1.1  # of a thing's lower half, that a container is at least wide
 WIDEST = 0.7  # of what bears a thing, that it is at most wide
 # Of the other's longest side: the least and the most that one's may be.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
+FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
 STONE, STUCK = (0.4, 1.6), 0.3  # of what is stuck: the other's size; how deep
@@ -40,7 +47,8 @@ QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # 
 
 def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
     """Where the support of ``thing`` is, with what a unit off its middle costs."""
-    sizes = MOUNT if _is_mount(support) else SUPPORT
+    foods = FOOD if {thing.words.noun, support.words.noun} <= EDIBLE else SUPPORT
+    sizes = MOUNT if _is_mount(support) else foods
     turn = _levelled(thing, support)
     place = Placement.of(sized(support.placed(Placement.of(1.0, turn)), thing, *sizes), turn)
     below = support.placed(place)
@@ -71,7 +79,8 @@ def around(thing: Body, container: Body) -> Placement:
     there = container.placed(place)
     depth = IN * min(float(thing.sides[2]), float(there.sides[2]))
     spot, _ = _opening(there)
-    return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, depth]))
+    middle = torch.cat([thing.box.mean(0)[:2], thing.box[0, 2:]])
+    return place.moved(middle - spot + torch.tensor([0.0, 0.0, depth]))
 
 
 def is_stuck(thing: Body, other: Body) -> bool:
@@ -98,8 +107,12 @@ def upon(thing: Body, carrier: Body) -> Placement:
         return _filling(thing, carrier)
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
-    wide = WIDEST * carrier.sides[:2].max() / thing.sides[:2].max()
-    place = Placement.of(min(sized(thing, carrier, *BORNE), float(wide)))
+    turn = _levelled(carrier, thing)
+    lying = thing.placed(Placement.of(1.0, turn))
+    wide = WIDEST * carrier.sides[:2].max() / lying.sides[:2].max()
+    if thing.words.noun in LYING:  # a surfboard on a car's roof
+        wide = wide / WIDEST
+    place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
     borne = thing.placed(place)
     return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 

@@ -37,6 +37,7 @@ BELOW, REACH, FACE = 0.4, 0.2, 0.45
 # Of the neck's width; of a scarf's height, below its top; of the head's width, a neck's at most.
 WRAPPED, RING, SLIM = 1.3, 0.28, 0.95
 GLASSES_LIKE, OUT = ("sunglasses", "goggles"), 0.6  # of the depth: before the eyes
+FOREHEAD, SMALL_HAT = 0.12, 0.6  # of the head's width
 HANGING = ("necktie", "medal")
 HANGS, FOREMOST = 0.85, 0.03  # of the head's width, how long; of a chest's points, what is before
 EARS = 1.12  # of the head's width
@@ -48,7 +49,7 @@ EYES_HIGH = 0.3  # training units, at most
 WIDEST = 1.9  # times the eyes' distance: a head
 # Where a thing has no eyes, its head: of its height; of its width, at least and at most.
 TOP, CAPPED = 0.12, (0.3, 0.6)
-PACK = (0.3, 0.5)  # of the wearer's longest side
+PACK, SADDLED = (0.3, 0.5), (0.2, 0.35)  # of the wearer's longest side: on its feet, on all fours
 SHOULDERS = 0.7  # of the way from the feet to the eyes: the middle of a pack
 UPRIGHT = 1.1  # times as high as long
 BACKWARDS = torch.diag(torch.tensor([-1.0, -1.0, 1.0]))
@@ -65,6 +66,7 @@ class Head(NamedTuple):
     top: float
     front: float  # y of what is foremost of the eyes
     eyes: float  # z
+    brow: float  # z, above the eyes
 
 
 def worn(item: Body, wearer: Body) -> Placement:
@@ -92,11 +94,14 @@ def _on_head(hat: Body, head: Head) -> Placement:
     low, high = (float(hat.box[0, 2] + share * hat.sides[2]) for share in BAND)
     band = hat.verts[(hat.verts[:, 2] > low) & (hat.verts[:, 2] < high)]
     crown = float(band[:, 0].amax() - band[:, 0].amin()) if len(band) else float(hat.sides[0])
-    place = Placement.of(HAT * head.wide / crown)
+    above = max(head.top - head.brow, SUNK)
+    # On a frog, whose eyes are on top of its head, it is between them.
+    wide = head.wide * (HAT if above > FOREHEAD * head.wide else SMALL_HAT)
+    place = Placement.of(wide / crown)
     there = hat.placed(place)
     within = there.verts[there.verts[:, 2] < there.box[0, 2] + BAND[1] * there.sides[2]]
     middle = (within.amin(0) + within.amax(0)) / 2
-    sunk = min(HAT_SINKS[0] * head.wide, HAT_SINKS[1] * float(there.sides[2]))
+    sunk = min(HAT_SINKS[0] * head.wide, HAT_SINKS[1] * float(there.sides[2]), above)
     at = torch.tensor([head.middle[0], head.middle[1], head.top - sunk])
     return place.moved(at - torch.stack([middle[0], middle[1], there.box[0, 2]]))
 
@@ -177,15 +182,13 @@ def _neck_of(wearer: Body, head: Head) -> Neck:
 def _on_back(pack: Body, wearer: Body, head: Head) -> Placement:
     stands = wearer.sides[2] > UPRIGHT * wearer.sides[1]
     turn = BACKWARDS if stands else ON_ITS_BACK
-    place = Placement.of(sized(pack, wearer, *PACK), turn)
+    place = Placement.of(sized(pack, wearer, *(PACK if stands else SADDLED)), turn)
     there = pack.placed(place)
     middle = there.box.mean(0)
     if not stands:
-        return place.moved(
-            spot_on(there, wearer)
-            - torch.stack([middle[0], middle[1], there.box[0, 2]])
-            - torch.tensor([0.0, 0.0, SUNK])
-        )
+        lowest = there.without("straps")[:, 2].amin()  # they are around the animal
+        at = torch.stack([middle[0], middle[1], lowest + SUNK])
+        return place.moved(spot_on(there, wearer) - at)
     low = float(wearer.box[0, 2])
     z = low + SHOULDERS * (head.eyes - low)
     rest = wearer.without(*NO_HEAD)
@@ -230,7 +233,7 @@ def head_of(body: Body) -> Head:
     over = above[above[:, 2] > middle[2] + 0.4 * (top - float(middle[2]))] if len(above) else eyes
     y = float(over[:, 1].amin() + over[:, 1].amax()) / 2
     at = torch.tensor([float(middle[0]), y, float(middle[2])])
-    return Head(at, wide, top, float(low[1]), float(middle[2]))
+    return Head(at, wide, top, float(low[1]), float(middle[2]), float(high[2]))
 
 
 def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
@@ -240,7 +243,7 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
     least, most = (share * body.sides[:2] for share in CAPPED)
     wide = float((high.amax(0) - high.amin(0))[:2].maximum(least).minimum(most).min())
     eyes = top - 0.4 * wide
-    return Head(middle, wide, top, float(high[:, 1].amin()), eyes)
+    return Head(middle, wide, top, float(high[:, 1].amin()), eyes, eyes)
 
 
 def freed(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:

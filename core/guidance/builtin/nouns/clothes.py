@@ -186,7 +186,7 @@ CLOTHES = {
         Usual(0.14, GOLD, 0.043),
     ),
     "sunglasses": Noun(
-        "glasses, spectacles, eyeglasses, shades, eye glasses, sun glasses; aviators, reading "
+        "shades, sun glasses; glasses, spectacles, eyeglasses, eye glasses, aviators, reading "
         "glasses, 3d glasses",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
         Usual(0.16, PLASTIC, 0.16),

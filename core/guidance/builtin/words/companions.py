@@ -166,7 +166,10 @@ class _Search:
                 first = self._first_of(before)
             later = self._is_later(prompt, match.start())
             full = any(one.relation == "bears" for one in found)
-            if later or full or not fillings.may_fill(first, match["way"], phrase):
+            # "A pot of flowers" is a name by itself.
+            bare = " ".join(word for word in before.split() if word.lower() not in _ARTICLES)
+            named = look_up(f"{bare} {match['way']} {phrase}".lower(), SLOTS) is not None
+            if later or full or named or not fillings.may_fill(first, match["way"], phrase):
                 continue
             one = self._taken("bears", fillings.named(phrase).phrase, first, found)
             whole, start = before + prompt[match.start() :], len(before)
