@@ -1,21 +1,12 @@
-"""Several things as one object: where each lies, and what is painted where."""
+"""Where the things of a composition lie."""
 
-import math
 from dataclasses import replace
-from functools import cache
 
 import pytest
 import torch
 
-from core.camera import Cameras
-from core.config import DRAFT
-from core.generate import Inputs, of_seed
-from core.geometry.assembly import assembled
-from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
 from core.geometry.signed_distance import SolidMesh
 from core.guidance.builtin.composition.arranged import arranged
-from core.guidance.builtin.composition.composed import Composed, composed_field, seen_from
-from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.composition.resting import (
@@ -27,33 +18,12 @@ from core.guidance.builtin.composition.resting import (
     upon,
 )
 from core.guidance.builtin.composition.wearing import freed, head_of, worn
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
-from core.guidance.builtin.palette import looks
+from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
-from core.guidance.guidance import Views
-from core.io.job import Job
-from core.job_config import config_of
+from core.tests.drawn_things import body, centered, composed
 
 QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-
-
-@cache
-def body(prompt: str) -> Body:
-    drawn = load_builtin("cpu").prompted(prompt, "").of_object(0)
-    assert drawn.solid is not None
-    return Body.of(drawn.words, drawn.solid)
-
-
-@cache
-def composed(prompt: str) -> Composed:
-    found = load_builtin("cpu").prompted(prompt, "").of_object(0)
-    assert isinstance(found, Composed) and found.made
-    return found
-
-
-def centered(thing: Body) -> torch.Tensor:
-    return thing.box.mean(0)
 
 
 def box(low, high, noun="crate") -> Body:
@@ -336,217 +306,9 @@ def test_a_hat_takes_the_place_of_a_hat():
     assert freed(parse("a knight"), torch_and_crown).absent == ("shield",)
 
 
-def test_a_composition_is_one_closed_piece_of_the_usual_radius():
-    parts = composed("a cat on a red cushion").parts()
-    assert parts is not None
-    made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
-    assert made is not None
-    verts, faces = made
-    report = health(verts, faces)
-    assert report["closed"] and component_labels(faces, len(verts))[0] == 1
-    middle = (verts.amin(0) + verts.amax(0)) / 2
-    assert float((verts - middle).norm(dim=1).max()) == pytest.approx(NORMAL_RADIUS, abs=0.05)
-
-
-def test_each_place_is_painted_as_the_thing_that_is_there():
-    guidance = composed("a cat on a red cushion")
-    areas, parts = guidance.areas(), guidance.parts()
-    assert areas is not None and parts is not None
-    cat, cushion = guidance.things
-    assert len(areas.each) >= len(looks("cat")) + len(looks(cushion.words.noun))
-    body_of = Body.of(cushion.words, cushion.solid).placed(guidance.made.places[1][0])
-    low = body_of.verts[body_of.verts[:, 2] < body_of.verts[:, 2].median()]
-    colors = [areas.each[k].surface.color for k in areas.of(low).unique().tolist()]
-    assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), colors
-    head = Body.of(cat.words, cat.solid).placed(guidance.made.places[0][0])
-    top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
-    assert (areas.of(top) < len(looks("cat"))).all()
-
-
-def test_far_from_a_thing_its_network_is_not_asked():
-    asked = []
-
-    def field(points):
-        asked.append(points)
-        return points[:, 0] * 0 - 1.0, points[:, :2] * 0 + 1.0
-
-    at = composed_field([field], [[Placement(0.5, torch.zeros(3), torch.eye(3))]])
-    distance, depths = at(torch.tensor([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
-    assert [len(points) for points in asked] == [1]
-    assert distance[0] == -0.5 and distance[1] > 3 and (depths[1] < -3).all()
-    far = at(torch.tensor([[5.0, 0.0, 0.0]]))  # nothing near at all
-    assert far[0] > 3
-
-
-@pytest.mark.parametrize("negative", ["", "red"])
-def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
-    prompted = load_builtin("cpu").prompted("a cat on a red cushion", negative)
-    drawn = prompted.of_object(0)
-    cameras = Cameras.orbit([20.0], [10.0], 2.75, 40.0)
-    surface = torch.zeros(1, 7, 64, 64)
-    surface[:, 3] = -1.0
-    sides = slice(8, 24), slice(40, 56)  # on the left points of the cat, then of the cushion
-    for columns, thing, (place,) in zip(sides, drawn.things, drawn.made.places, strict=True):
-        verts = Body.of(thing.words, thing.solid).placed(place).verts
-        some = verts[torch.linspace(0, len(verts) - 1, 16 * 16).long()]
-        surface[0, 3, 24:40, columns] = 1.0
-        surface[0, 4:, 24:40, columns] = some.T.reshape(3, 16, 16)
-    z = torch.randn(1, 4, 64, 64, generator=torch.Generator().manual_seed(0))
-    t, options = torch.tensor([300]), {"apart": bool(negative)}
-    found = drawn.predict(z, t, Views(cameras, surface), **options)
-    owner, copy = drawn._owner(surface)
-    assert (owner[0, :20] == 0).all() and (copy == 0).all()
-    for index, thing in enumerate(drawn.things):
-        (place,) = drawn.made.places[index]
-        own = thing.predict(z, t, Views(cameras, seen_from(surface, place)), **options)
-        mine = owner == index
-        assert (mine[0, 24:40, sides[index]]).float().mean() > 0.9
-        for of, alone in zip(found, own, strict=True):
-            assert (of is None) == (alone is None)
-            if of is not None:
-                pixels = mine[:, None].expand_as(of)
-                torch.testing.assert_close(of[pixels], alone[pixels])
-                assert not torch.allclose(of, alone)  # elsewhere it is the other's
-
-
-def test_an_object_is_as_large_as_it_is_with_what_goes_with_it():
-    alone = body("a rabbit").usual
-    assert 1.1 * alone < composed("a rabbit on a stack of books").size_m() < 3 * alone
-    stated = composed("a 60 cm tall rabbit on a stack of books").size_m()
-    assert 0.65 < stated < 1.8
-    assert load_builtin("cpu").prompted("a rabbit", "").of_object(0).size_m() is None
-
-
 def test_a_turned_and_a_grouped_body_keep_their_scale():
     board = body("a 2 m tall surfboard")
     laid = board.placed(Placement.of(1.0, TILTED))
     assert board.usual == pytest.approx(2) and laid.usual == pytest.approx(2, rel=0.05)
     small = board.placed(Placement.of(0.5))
     assert small.usual == pytest.approx(2) and small.longest < board.longest
-
-
-def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone():
-    prompted = load_builtin("cpu").prompted("a wizard wearing a golden crown", "")
-    alone = prompted.of_object(0, whole=False)
-    for one in (prompted, alone):
-        (note,) = one.left_out()
-        assert note.startswith("crown: left out")
-        assert one.size_m() is None
-    wizard = load_builtin("cpu").prompted("a wizard", "").of_object(0)
-    assert alone.parts().forms == wizard.parts().forms
-    assert alone.alone.words.absent == ()  # it has its hat
-    whole = prompted.of_object(0)
-    assert whole.left_out() == () and whole.things[0].words.absent == ("hat",)
-    assert whole.alone.words.absent == ()
-    mesh = Mesh(body("a wizard").verts, body("a wizard").faces)
-    guided = alone.in_proportion(mesh, 0.5, 0.02)
-    assert guided.left_out() and guided.start_shape() is not None
-
-
-@pytest.mark.parametrize(
-    ("preset", "guide", "whole"),
-    [("draft", False, True), ("draft", True, False), ("sds", False, False)],
-)
-def test_things_are_made_together_without_a_guide_where_nothing_is_distilled(preset, guide, whole):
-    job = Job(prompt="a cat on a cushion", preset=preset)
-    config = config_of(job)
-    config = replace(config, geometry=replace(config.geometry, start="learned"))
-    prompted = load_builtin("cpu").prompted(job.prompt, "")
-    shape = Mesh(body("a cat").verts, body("a cat").faces) if guide else None
-    inputs = Inputs(config, torch.device("cpu"), prompted, torch.zeros(1), shape)
-    made = of_seed(inputs, job).guidance
-    assert isinstance(made, Composed) and (made.made is not None) == whole
-    assert bool(made.left_out()) != whole
-
-
-def test_a_material_range_spans_all_things():
-    wide = composed("a cat on a golden cushion").ranges()
-    assert wide.metallic[0] <= 0.02 and wide.metallic[1] >= 0.9
-    assert math.isfinite(wide.roughness[0])
-
-
-def several(prompt: str, count: int, order: str) -> tuple[Body, list[Placement], Body]:
-    one = replace(body(prompt), words=replace(body(prompt).words, count=count, order=order))
-    copies = copies_of(one)
-    return one, copies, one.group(copies)
-
-
-def test_a_row_is_side_by_side_and_touches():
-    one, copies, row = several("a boot", 2, "row")
-    assert len(copies) == 2 and 1.9 < float(row.sides[0] / one.sides[0]) < 2
-    assert float(row.sides[2]) == pytest.approx(float(one.sides[2]))
-    assert row.usual == pytest.approx(one.usual * float(row.longest / one.longest))
-
-
-def test_coins_are_stacked_flat_and_plates_in_one_another():
-    coin, _, stack = several("a coin", 5, "stack")
-    thick = float(coin.sides[:2].min())
-    assert float(stack.sides[2]) == pytest.approx(5 * thick, rel=0.15)
-    plate, _, plates = several("a plate", 5, "stack")
-    assert float(plates.sides[2]) < 4 * float(plate.sides[2])
-
-
-def test_a_heap_is_higher_than_one_and_stands_on_the_ground():
-    one, copies, heap = several("a pumpkin", 7, "heap")
-    assert len(copies) == 7 and float(heap.sides[2]) > 1.3 * float(one.sides[2])
-    assert float(heap.sides[0]) > 1.5 * float(one.sides[0])
-    lowest = [float(place.out(one.verts)[:, 2].min()) for place in copies]
-    assert sum(low < 0.05 for low in lowest) >= 3  # on the ground, the others on them
-    shifts = torch.stack([place.shift for place in copies])
-    assert float(torch.pdist(shifts).min()) > 0.4 * float(one.sides[:2].min())
-
-
-def test_bottles_in_a_heap_lie():
-    one, copies, _ = several("a bottle", 4, "heap")
-    for place in copies:
-        sides = one.placed(place).sides
-        assert float(sides[2]) < float(sides[:2].max())
-
-
-def test_flowers_in_a_bunch_lean_apart_with_their_stems_together():
-    one, copies, bunch = several("a tulip", 3, "heap")
-    feet = torch.stack(
-        [place.out(torch.tensor([[0, 0, float(one.box[0, 2])]])) for place in copies]
-    )
-    assert float(feet.std(0).max()) < 1e-3
-    assert float(bunch.sides[:2].max()) > 1.2 * float(one.sides[:2].max())
-
-
-def test_apples_fill_a_basket_to_above_its_rim():
-    basket = body("a basket")
-    _, _, heap = several("an apple", 6, "heap")
-    there = heap.placed(upon(heap, basket))
-    rim = float(basket.without("handle", "handles")[:, 2].max())
-    assert float(there.box[0, 2]) < rim < float(there.box[1, 2])
-    assert (there.sides[:2] < basket.sides[:2]).all()
-
-
-def test_eggs_in_a_basket_lie_in_it_as_they_come():
-    eggs = replace(body("an egg"), words=replace(body("an egg").words, count=5))
-    places, (basket,) = arranged(eggs, [("in", body("a basket"))])
-    there = body("a basket").placed(basket)
-    rim = float(there.without("handle", "handles")[:, 2].max())
-    points = torch.cat([place.out(eggs.verts) for place in places])
-    assert float(points[:, 2].min()) < rim < float(points[:, 2].max())
-    assert (points[:, :2].amax(0) < there.box[1, :2]).all()
-
-
-def test_copies_are_painted_each_as_the_thing_itself():
-    words = replace(parse("a red apple"), count=3)
-    guidance = load_builtin("cpu")
-    apple = guidance.prompted("a red apple", "")
-    three = Composed(guidance, apple, [replace_words(apple, words)], []).of_object(0)
-    (places,) = three.made.places
-    assert len(places) == 3
-    alone = apple.of_object(0).areas()
-    together = three.areas()
-    verts = Body.of(words, three.things[0].solid).verts
-    for place in places:
-        same = together.of(place.out(verts)) == alone.of(verts)
-        assert float(same.float().mean()) > 0.95
-    assert len(together.each) == len(alone.each)
-    assert three.parts().copy(torch.stack([p.shift for p in places]))[1].tolist() == [0, 1, 2]
-
-
-def replace_words(prompted, words):
-    return PromptedBuiltin(prompted.builtin, words, prompted.negative)
