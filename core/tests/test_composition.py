@@ -12,6 +12,7 @@ from core.guidance.builtin.composition.placement import Body, Placement, sized
 from core.guidance.builtin.composition.resting import (
     TILTED,
     around,
+    beside,
     height_map,
     is_stuck,
     under,
@@ -312,3 +313,10 @@ def test_a_turned_and_a_grouped_body_keep_their_scale():
     assert board.usual == pytest.approx(2) and laid.usual == pytest.approx(2, rel=0.05)
     small = board.placed(Placement.of(0.5))
     assert small.usual == pytest.approx(2) and small.longest < board.longest
+
+
+def test_what_is_beside_stands_on_the_same_ground_and_touches():
+    table = body("a table")
+    chair = body("a chair").placed(beside(body("a chair"), table))
+    assert float(chair.box[0, 2]) == pytest.approx(float(table.box[0, 2]), abs=1e-5)
+    assert float(chair.box[0, 0]) == pytest.approx(float(table.box[1, 0]) - 0.02, abs=1e-5)

@@ -212,3 +212,20 @@ def test_the_report_has_each_with_its_looks():
             "emblems": [],
         }
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "first", "other", "color"),
+    [
+        ("a chair and a table", "chair", "table", ""),
+        ("a wooden table and a red chair", "table", "chair", "red"),
+        ("a cat next to a blue dog", "cat", "dog", "blue"),
+        ("penguins beside a block of ice", "penguin", "cube", ""),
+        ("a bottle of wine and a wine glass", "bottle", "goblet", ""),
+    ],
+)
+def test_of_two_things_the_second_is_beside_the_first(prompt, first, other, color):
+    words = parse(prompt)
+    (companion,) = words.companions
+    assert (words.noun, companion.relation, companion.words.noun) == (first, "beside", other)
+    assert companion.words.color == color

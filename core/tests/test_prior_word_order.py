@@ -114,8 +114,8 @@ def test_what_is_said_of_the_thing_stays_the_things(prompt: str, color: str, mat
 @pytest.mark.parametrize(
     ("prompt", "other"),
     [
-        ("penguins beside a block of ice", "block"),
-        ("a man beside a horse in black", "horse"),
+        ("penguins near a block of ice", "block"),
+        ("a man near a horse in black", "horse"),
         ("a girl with a lamp made of gold", "lamp"),
     ],
 )

@@ -188,7 +188,7 @@ def test_a_part_alone_is_no_thing():
 
 def test_two_things_are_refused_and_what_is_listed_after_the_thing_is_left_out():
     with pytest.raises(UserError, match="one thing"):
-        parse("a table and a lamp")
+        parse("a table or a lamp")
     words = parse("a red chair, a green lamp")
     assert (words.noun, words.color, words.left_out) == ("chair", "red", ("green", "lamp"))
 
@@ -314,7 +314,7 @@ def test_the_report_of_a_refused_prompt_has_the_nearest_meanings_and_exit_code_2
         "samovar": ["teapot"],
     }
     assert words_report("a red chair") == (understood("a red chair"), 0)
-    assert words_report("a chair and a table")[1] == 2
+    assert words_report("a chair or a table")[1] == 2
 
 
 def test_the_words_are_read_without_torch_within_two_seconds():
@@ -377,7 +377,7 @@ def test_unknown_words_may_be_ignored_in_a_report():
 
 
 def test_what_a_window_shows_of_a_refused_prompt_is_short_and_has_no_option():
-    for prompt in ("a wombat", "red", "a chair and a table"):
+    for prompt in ("a wombat", "red", "a chair or a table"):
         with pytest.raises(UserError) as caught:
             parse(prompt)
         assert 0 < len(caught.value.window_fix) < 80

@@ -11,6 +11,7 @@ from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.resting import (
     POINT_DOWN,
+    beside,
     is_stuck,
     under,
     upon,
@@ -80,4 +81,5 @@ _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {
     "in": lambda other, first: within(first, other),
     "wears": worn,
     "bears": upon,
+    "beside": beside,
 }

@@ -33,6 +33,7 @@ SUNK = 0.02  # training units, by which what rests goes into what is under it
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
 IN = 0.45  # of the lower one's height: how deep a thing is in another
 ROOM = 1.1  # of a thing's lower half, that a container is at least wide
+NEIGHBOUR, TOUCHING_SIDES = (0.3, 2.5), 0.02
 WIDEST = 0.7  # of what bears a thing, that it is at most wide
 # Of the other's longest side: the least and the most that one's may be.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
@@ -81,6 +82,15 @@ def around(thing: Body, container: Body) -> Placement:
     spot, _ = _opening(there)
     middle = torch.cat([thing.box.mean(0)[:2], thing.box[0, 2:]])
     return place.moved(middle - spot + torch.tensor([0.0, 0.0, depth]))
+
+
+def beside(thing: Body, other: Body) -> Placement:
+    """Where ``thing`` is that stands on the right of the other, which it touches."""
+    place = Placement.of(sized(thing, other, *NEIGHBOUR))
+    there = thing.placed(place)
+    middle, mine = other.box.mean(0), there.box.mean(0)
+    at = torch.stack([other.box[1, 0] - TOUCHING_SIDES, middle[1], other.box[0, 2]])
+    return place.moved(at - torch.stack([there.box[0, 0], mine[1], there.box[0, 2]]))
 
 
 def is_stuck(thing: Body, other: Body) -> bool:

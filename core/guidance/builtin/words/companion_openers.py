@@ -9,9 +9,9 @@ from typing import Literal, NamedTuple
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.tokens import DOING, LONGEST
 
-# What the first thing does to the other: it is on it or in it, wears it or holds it, or bears it on
-# top of itself.
-Relation = Literal["on", "in", "wears", "holds", "bears"]
+# What the first thing does to the other: it is on it or in it, wears it or holds it, bears it on
+# top of itself, or is beside it.
+Relation = Literal["on", "in", "wears", "holds", "bears", "beside"]
 TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
 
 

@@ -36,9 +36,13 @@ def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) 
     )
 
 
+class TwoWordsError(PromptError):
+    """A prompt has more than one word where a slot takes one."""
+
+
 def two_error(slot: str, words: list[str]) -> UserError:
     """The error for more than one word where a slot takes one."""
-    return PromptError(
+    return TwoWordsError(
         f"The built-in model takes one {slot} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
         f"Keep one of them. {ELSEWHERE}",

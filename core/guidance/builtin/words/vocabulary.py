@@ -9,6 +9,7 @@ that names it, or, where the user asks for that, is left out too.
 Standard library only, so that ``run.py words`` and the panel need not load a network.
 """
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
@@ -16,7 +17,7 @@ from typing import Any
 
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.words.companions import Found, Read, companions_in
+from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
@@ -25,6 +26,7 @@ from core.guidance.builtin.words.part_names import own_name
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
+    TwoWordsError,
     UnknownWordsError,
     known_things,
     unknown_error,
@@ -35,6 +37,9 @@ from core.guidance.builtin.words.sorts import sort_of
 from core.guidance.builtin.words.words import GLASSWARE, PLAIN, WEATHERS
 
 DENIM_BLUE = "denim blue"
+_ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
+AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
+NEXT_TO = re.compile(rf" (?:(?:standing|sitting) )?(?:next to|beside){_ANOTHER}", re.IGNORECASE)
 ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 
 
@@ -112,6 +117,35 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
+    if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
+        return pair
+    try:
+        return _parsed(prompt, noun_needed, known, ignore_unknown)
+    except TwoWordsError:
+        if noun_needed and (pair := _side_by_side(AND, prompt, known, ignore_unknown)):
+            return pair
+        raise
+
+
+def _side_by_side(
+    joins: re.Pattern[str], prompt: str, known: Vocabulary, ignore_unknown: bool
+) -> Words | None:
+    """ "A table and a chair": the second beside the first, where one of ``joins`` is between."""
+    for joined in joins.finditer(prompt):
+        phrase = prompt[joined.end() :]
+        try:
+            first = _parsed(prompt[: joined.start()], True, known, ignore_unknown)
+            other = _parsed(phrase, True, known, ignore_unknown)
+        except UserError:
+            continue
+        whole = len(first.companions) < MOST and not other.companions
+        if whole and first.noun != other.noun:
+            pair = _together(first, [Found("beside", phrase, other)])
+            return replace(pair, companions=(*first.companions, *pair.companions))
+    return None
+
+
+def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
     companions, rest = _companions(prompt, known, ignore_unknown) if noun_needed else ([], prompt)
     if companions:
         try:
