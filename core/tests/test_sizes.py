@@ -28,7 +28,7 @@ def test_every_noun_has_one_group_and_every_material_its_density():
         ("a rusty sports car", 4.5),
         ("a tall stone house without a chimney", 8.0),
         ("a grey rock", 1.2),
-        ("two nouns: a chair and a car", UNKNOWN.size_m),
+        ("two nouns: a chair or a car", UNKNOWN.size_m),
         ("a steampunk barometer", UNKNOWN.size_m),
     ],
 )
