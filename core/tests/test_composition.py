@@ -8,9 +8,8 @@ import torch
 from core.geometry.signed_distance import SolidMesh
 from core.guidance.builtin.composition.arranged import arranged
 from core.guidance.builtin.composition.holding import held
-from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.composition.placement import Z_TO_BACK, Body, Placement, sized
 from core.guidance.builtin.composition.resting import (
-    TILTED,
     around,
     beside,
     height_map,
@@ -309,7 +308,7 @@ def test_a_hat_takes_the_place_of_a_hat():
 
 def test_a_turned_and_a_grouped_body_keep_their_scale():
     board = body("a 2 m tall surfboard")
-    laid = board.placed(Placement.of(1.0, TILTED))
+    laid = board.placed(Placement.of(1.0, Z_TO_BACK))
     assert board.usual == pytest.approx(2) and laid.usual == pytest.approx(2, rel=0.05)
     small = board.placed(Placement.of(0.5))
     assert small.usual == pytest.approx(2) and small.longest < board.longest

@@ -8,7 +8,7 @@ import torch
 from core.geometry.mesh import NORMAL_RADIUS
 from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.holding import held
-from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.placement import Body, Placement, joined
 from core.guidance.builtin.composition.resting import (
     POINT_DOWN,
     beside,
@@ -31,11 +31,10 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
         first = replace(first, words=replace(first.words, order="heap"))
     things = [first, *(other for _, other in others)]
     each = all(how in EACH or other.words.count == count for how, other in others)
-    if (
-        count > 1 and others and each
-    ):  # "two penguins wearing hats": the pair of a penguin and a hat
+    if count > 1 and others and each:  # "two penguins wearing hats": a penguin and a hat, twice
         places = _placed(first, others)
-        copies = copies_of(_joined(things, places))
+        pairs = zip(things, places, strict=True)
+        copies = copies_of(joined([thing.placed(place) for thing, place in pairs]))
         found = [[copy.of_copy(place) for copy in copies] for place in places]
     else:
         copies = [copies_of(thing) for thing in things]
@@ -63,17 +62,6 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
         else:
             found.append(_PLACED[how](other, there))
     return found
-
-
-def _joined(things: Sequence[Body], places: Sequence[Placement]) -> Body:
-    """All of them as one thing, of the first one's words."""
-    verts, faces, count = [], [], 0
-    for thing, place in zip(things, places, strict=True):
-        verts.append(place.out(thing.verts))
-        faces.append(thing.faces + count)
-        count += len(thing.verts)
-    part = torch.zeros(count, dtype=torch.long)
-    return Body(things[0].words, torch.cat(verts), torch.cat(faces), part, things[0].metres)
 
 
 _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {

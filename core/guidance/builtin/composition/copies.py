@@ -6,8 +6,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.composition.placement import Body, Placement
-from core.guidance.builtin.composition.resting import height_map_at
+from core.guidance.builtin.composition.placement import Z_TO_X, Body, Placement
+from core.guidance.builtin.composition.resting import cells_of, highest
 from core.guidance.builtin.words.companion_words import FLOWERS
 
 TOUCHING = 0.02  # of a side: how far neighbours go into each other, so that they are one mesh
@@ -19,7 +19,6 @@ SOME = 1500  # vertices that are dropped
 CELLS = 48  # of a heap's height map, along a side
 TURNED = math.radians(65)  # about the vertical, at most: faces look forward
 FLAT = 0.6  # times as thick as wide
-QUARTER = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # x to -z
 LEANING = math.radians(24)  # flowers in a bunch
 GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a disc (Vogel 1979)
 
@@ -78,7 +77,7 @@ def _piled(
     for _ in range(count):
         place, verts = _lowest(thing, laid, heights, radius, side, generator)
         found.append(place)
-        heights = torch.maximum(heights, height_map_at(verts, side, CELLS))
+        heights = torch.maximum(heights, highest(verts, *square_of(side), CELLS))
     return found
 
 
@@ -87,7 +86,7 @@ def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
     than wide."""
     x, y, z = thing.sides.tolist()
     if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
-        return about_x(-math.pi / 2) if y < x else QUARTER
+        return about_x(-math.pi / 2) if y < x else Z_TO_X
     return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
 
 
@@ -108,7 +107,7 @@ def _lowest(
         verts = thing.verts @ turn.T
         verts = verts + torch.tensor([far * math.cos(angle), far * math.sin(angle), 0.0])
         some = verts[:: max(len(verts) // SOME, 1)]
-        cell = ((some[:, :2] / side + 0.5) * CELLS).long().clamp(0, CELLS - 1)
+        cell = cells_of(some, *square_of(side), CELLS)
         drop = float((heights[cell[:, 0], cell[:, 1]] - some[:, 2]).max())
         drop -= TOUCHING * float(thing.sides.min())
         top = float(some[:, 2].max()) + drop + INWARDS * far
@@ -117,6 +116,11 @@ def _lowest(
             best, cost = Placement.of(1.0, turn).moved(shift), top
     assert best is not None
     return best, best.out(thing.verts)
+
+
+def square_of(side: float) -> tuple[Float[Tensor, " 2"], Float[Tensor, " 2"]]:
+    """The lowest corner and the sides of a square about the origin."""
+    return torch.full((2,), -side / 2), torch.full((2,), side)
 
 
 def about_z(angle: float) -> Float[Tensor, "3 3"]:

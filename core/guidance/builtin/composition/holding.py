@@ -4,7 +4,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.composition.placement import X_TO_Y, Z_TO_X, Body, Placement, sized
 from core.guidance.builtin.composition.wearing import NO_HEAD, UPRIGHT, head_of
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.companion_words import FLOWERS
@@ -27,8 +27,6 @@ ARM = (0.25, 0.75)  # of a figure's height: where the hand is
 OUT = 0.82  # of the way to the side, from which on it is the arm
 CHEST = 0.42  # of the height
 SUNK = 0.03
-SIDEWAYS = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x
-ACROSS = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # y to -x
 
 
 def held(item: Body, holder: Body, second: bool = False) -> Placement:
@@ -112,7 +110,7 @@ def _in_mouth(item: Body, holder: Body) -> Placement:
         place = Placement.of(sized(item, holder, *RAISED_SIZES))
         return place.moved(_beside(holder) - _grip(item.placed(place)))
     along = _along(item, LONG)
-    turn = {2: SIDEWAYS, 1: ACROSS}.get(along, torch.eye(3))
+    turn = {2: Z_TO_X, 1: X_TO_Y}.get(along, torch.eye(3))
     place = Placement.of(sized(item, holder, *AT_MOUTH[along >= 0]), turn)
     there = item.placed(place)
     at = there.box.mean(0)

@@ -14,6 +14,10 @@ from core.guidance.builtin.words.slots import Words
 
 EYES = ("eyes", "whites", "glasses", "visor")
 NEAR = 0.03  # training units
+# Quarter turns: about the horizontal axes and the vertical.
+Z_TO_BACK = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # -y is in front
+Z_TO_X = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
+X_TO_Y = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 @dataclass(frozen=True)
@@ -88,10 +92,7 @@ class Body:
 
     def group(self, copies: "Sequence[Placement]") -> "Body":
         """Several of the thing as one."""
-        verts = torch.cat([place.out(self.verts) for place in copies])
-        faces = torch.cat([self.faces + k * len(self.verts) for k in range(len(copies))])
-        part = self.part.repeat(len(copies))
-        return replace(self, verts=verts, faces=faces, part=part)
+        return joined([self.placed(copy) for copy in copies])
 
     @cached_property
     def box(self) -> Float[Tensor, "2 3"]:
@@ -125,6 +126,14 @@ class Body:
     def _among(self, names: tuple[str, ...]) -> Tensor:
         rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
         return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
+
+
+def joined(bodies: Sequence[Body]) -> Body:
+    """All of them as one thing, of the first one's words."""
+    starts = [sum(len(body.verts) for body in bodies[:k]) for k in range(len(bodies))]
+    faces = [body.faces + start for body, start in zip(bodies, starts, strict=True)]
+    verts, part = (torch.cat([getattr(body, of) for body in bodies]) for of in ("verts", "part"))
+    return replace(bodies[0], verts=verts, faces=torch.cat(faces), part=part)
 
 
 def sized(thing: Body, other: Body, least: float, most: float) -> float:

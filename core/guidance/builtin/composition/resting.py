@@ -1,11 +1,11 @@
 """One thing on another, or in it."""
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.init_shape import sample_surface
-from core.guidance.builtin.composition.placement import Body, Placement, sized
+from core.guidance.builtin.composition.placement import X_TO_Y, Z_TO_BACK, Body, Placement, sized
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.companion_words import (
     CONTAINERS,
@@ -42,8 +42,6 @@ LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
 STONE, STUCK = (0.4, 1.6), 0.3  # of what is stuck: the other's size; how deep
 POINT_DOWN = torch.tensor([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
-TILTED = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # z to -y
-QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # about z
 
 
 def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
@@ -73,8 +71,7 @@ def around(thing: Body, container: Body) -> Placement:
         place = under(thing, container, SEAT)
         return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
     scale = sized(container, thing, *CONTAINER)
-    middle = float(thing.box[0, 2] + thing.sides[2] / 2)
-    lower = thing.verts[thing.verts[:, 2] < middle]
+    lower = thing.verts[thing.verts[:, 2] < thing.box.mean(0)[2]]
     wide = ROOM * (lower.amax(0) - lower.amin(0))[:2] / _opening(container)[1][:2]
     place = Placement.of(max(scale, float(wide.max())))
     there = container.placed(place)
@@ -160,24 +157,22 @@ def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
     turn = torch.eye(3)
     flat = support.words.noun in LYING and support.sides[2] > support.sides[:2].min()
     if flat:
-        turn = TILTED @ turn
+        turn = Z_TO_BACK @ turn
     sides = support.placed(Placement.of(1.0, turn)).sides
     own = thing.sides
     if support.words.noun in LYING and (sides[0] > sides[1]) != (own[0] > own[1]):
-        turn = QUARTER @ turn
+        turn = X_TO_Y @ turn
     return turn
 
 
 def _foot(thing: Body) -> Float[Tensor, " 3"]:
     """The middle of what a thing stands on."""
-    low, high = _foot_box(thing)
-    return torch.cat([(low + high)[:2] / 2, thing.box[0, 2:]])
+    feet = _feet(thing)
+    return torch.cat([(feet.amin(0) + feet.amax(0))[:2] / 2, thing.box[0, 2:]])
 
 
-def _foot_box(thing: Body) -> Float[Tensor, "2 3"]:
-    lowest = thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]
-    foot = thing.verts[lowest]
-    return torch.stack([foot.amin(0), foot.amax(0)])
+def _feet(thing: Body) -> Float[Tensor, "n 3"]:
+    return thing.verts[thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]]
 
 
 def _opening(container: Body) -> tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]:
@@ -197,7 +192,8 @@ def spot_on(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Float
     heights = height_map(support)
     low, sides = support.box[0], support.sides
     cell = sides[:2] / CELLS
-    foot = (_foot_box(thing)[1] - _foot_box(thing)[0])[:2] / 2
+    feet = _feet(thing)
+    foot = (feet.amax(0) - feet.amin(0))[:2] / 2
     foot = foot.minimum(OVER * sides[:2]) / cell
     whole = (thing.sides[:2] / 2).minimum(sides[:2] / 2) / cell
     found = []
@@ -223,8 +219,7 @@ def _clearance(
 ) -> float:
     """How far above the ground most of a thing's feet are, when it is put at a spot: of a bulging
     cushion the middle is higher than what is under a cat's feet."""
-    foot = thing.verts[thing.verts[:, 2] < thing.box[0, 2] + FOOT * thing.sides[2]]
-    foot = foot - _foot(thing) + spot
+    foot = _feet(thing) - _foot(thing) + spot
     cell = support.sides[:2] / CELLS
     i, j = ((foot[:, :2] - support.box[0, :2]) / cell).long().T
     over = (i >= 0) & (i < CELLS) & (j >= 0) & (j < CELLS)
@@ -258,19 +253,24 @@ def _window(
     return heights[low[0] : high[0], low[1] : high[1]]
 
 
-def height_map_at(verts: Float[Tensor, "v 3"], side: float, cells: int) -> Float[Tensor, "c c"]:
-    """The highest of points over each cell of a square about the origin; low where none is."""
-    at = ((verts[:, :2] / side + 0.5) * cells).long().clamp(0, cells - 1)
-    heights = torch.full((cells * cells,), -torch.inf)
-    heights = heights.scatter_reduce(0, at[:, 0] * cells + at[:, 1], verts[:, 2], "amax")
-    return heights.view(cells, cells)
-
-
 def height_map(body: Body) -> Float[Tensor, "c c"]:
     """The highest point of the surface over each cell of the box, by x and y; NaN where none is."""
-    cell = body.sides[:2].clamp_min(1e-6) / CELLS
     points = sample_surface(body.verts, body.faces, SAMPLES, torch.Generator().manual_seed(0))
-    at = ((points[:, :2] - body.box[0, :2]) / cell).long().clamp(0, CELLS - 1)
-    heights = torch.full((CELLS * CELLS,), -torch.inf)
-    heights = heights.scatter_reduce(0, at[:, 0] * CELLS + at[:, 1], points[:, 2], "amax")
-    return heights.masked_fill(heights.isinf(), torch.nan).view(CELLS, CELLS)
+    heights = highest(points, body.box[0, :2], body.sides[:2].clamp_min(1e-6), CELLS)
+    return heights.masked_fill(heights.isinf(), torch.nan)
+
+
+def highest(
+    points: Float[Tensor, "n 3"], low: Float[Tensor, " 2"], sides: Float[Tensor, " 2"], cells: int
+) -> Float[Tensor, "c c"]:
+    """The greatest z over each cell of a rectangle; minus infinity where no point is."""
+    i, j = cells_of(points, low, sides, cells).T
+    heights = torch.full((cells * cells,), -torch.inf)
+    return heights.scatter_reduce(0, i * cells + j, points[:, 2], "amax").view(cells, cells)
+
+
+def cells_of(
+    points: Float[Tensor, "n 3"], low: Float[Tensor, " 2"], sides: Float[Tensor, " 2"], cells: int
+) -> Int[Tensor, "n 2"]:
+    """The cell of a rectangle that each point is over, or the nearest."""
+    return ((points[:, :2] - low) / sides * cells).long().clamp(0, cells - 1)

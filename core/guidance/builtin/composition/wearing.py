@@ -125,8 +125,8 @@ def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
 
 
 def _before_chest(item: Body, wearer: Body, head: Head, neck: "Neck") -> Placement:
-    there = item.placed(Placement.of(HANGS * head.wide / float(item.sides[2])))
     place = Placement.of(HANGS * head.wide / float(item.sides[2]))
+    there = item.placed(place)
     top, high = float(neck.middle[2]), float(there.sides[2])
     rest = wearer.without(*NO_HEAD, *MUZZLES)
     chest = rest[
