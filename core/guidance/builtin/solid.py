@@ -30,9 +30,8 @@ from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_
 CHUNK = 1 << 16  # points at a time
 PER_THREAD = 1 << 14  # of them on a CPU: what the layers make of more leaves its cache
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
-# Tables of features, with the bits of a number: six of a kind's, which are added to the noun's,
-# move a surface by 1e-4 of the object's radius.
-TABLES = {"own.weight": 8, "kind.weight": 6}
+# Tables of features, in six bits a number, which move a surface by 2e-4 of the object's radius.
+TABLES = ("own.weight", "kind.weight")
 ROWS = ("base.weight", "words.3.weight")
 DRAWINGS = 3  # at most, of one object
 SIMPLE = 3  # pieces and handles of what is surely whole
@@ -172,12 +171,12 @@ def _grid() -> TetGrid:
 
 
 def save_solid_net(path: Path, net: SolidNet) -> None:
-    """The shipped form: half precision, and bytes or six bits for its bulk."""
+    """The shipped form: half precision, and six bits or bytes for its bulk."""
     tensors = {}
     for name, tensor in net.state_dict().items():
         if name in TABLES:  # a group is a channel of a plane
             groups = tensor.numel() // (2 * BASE) ** 2
-            tensors |= in_bytes(name, tensor, groups, TABLES[name])
+            tensors |= in_bytes(name, tensor, groups, bits=6)
         elif name in ROWS:
             tensors |= in_bytes(name, tensor, len(tensor))
         else:
