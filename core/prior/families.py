@@ -29,10 +29,12 @@ from core.prior.things.dwellings import DWELLINGS
 from core.prior.things.equipment import EQUIPMENT
 from core.prior.things.everyday import EVERYDAY
 from core.prior.things.fantasy import FANTASY
+from core.prior.things.fare import FARE
 from core.prior.things.fauna import FAUNA
 from core.prior.things.festive import FESTIVE
 from core.prior.things.figures import FIGURES
 from core.prior.things.fixtures import FIXTURES
+from core.prior.things.folk import FOLK
 from core.prior.things.food import FOOD
 from core.prior.things.furnishings import FURNISHINGS
 from core.prior.things.gadgets import GADGETS
@@ -47,6 +49,7 @@ from core.prior.things.landmarks import LANDMARKS
 from core.prior.things.leisure import LEISURE
 from core.prior.things.machines import MACHINES
 from core.prior.things.market import MARKET
+from core.prior.things.menagerie import MENAGERIE
 from core.prior.things.nature import NATURE
 from core.prior.things.novel import NOVEL
 from core.prior.things.novelties import NOVELTIES
@@ -73,6 +76,7 @@ from core.prior.things.speed import SPEED
 from core.prior.things.sport import SPORT
 from core.prior.things.street import STREET
 from core.prior.things.study import STUDY
+from core.prior.things.sundries import SUNDRIES
 from core.prior.things.table_ware import TABLE_WARE
 from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
@@ -195,6 +199,10 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | SHOWPIECES
     | TRAVEL
     | CHESS
+    | SUNDRIES
+    | FARE
+    | FOLK
+    | MENAGERIE
 )
 
 

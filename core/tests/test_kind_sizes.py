@@ -58,7 +58,7 @@ def test_every_kind_is_read_with_its_size_and_named_once():
         ("a great dane puppy", "dog", 0.35),
         ("a house and a shed", "house", 8),
         ("a birdhouse with a chick", "birdhouse", 0.4),
-        ("a pug with a chihuahua", "dog", 0.45),
+        ("a pug with a chihuahua", "pug", 0.45),
         ("a labrador", "dog", 0.8),
     ],
 )

@@ -26,6 +26,7 @@ AS_IT_IS = (1.0, 1.0, 1.0)
 # planes tells apart.
 DRAWN_WIDER: dict[str, Vector] = {
     "sword": (2.4, 2.4, 1.0),
+    "katana": (1.7, 1.7, 1.0),
     "dagger": (1.7, 1.7, 1.0),
     "knife": (1.8, 1.8, 1.0),
     "spear": (2.2, 2.2, 1.0),

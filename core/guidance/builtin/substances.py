@@ -62,7 +62,7 @@ BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
     "bark": "acorn cap, sloth branch, fireplace logs",
-    "bone": "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones",
+    "bone": "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones, werewolf claws",
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": (
         "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray, mug "
@@ -70,8 +70,9 @@ OF_A_THING = {
     ),
     "chitin": (
         "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell, "
-        "dragonfly stripes"
+        "dragonfly stripes, toucan tip"
     ),
+    "brick": "brick block brick, brick block holes",
     "clay": "snowman buttons, greenhouse pots",
     "cream": (
         "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man eyes, "
@@ -79,24 +80,31 @@ OF_A_THING = {
         "globe flakes, candy cane stripes, scroll seal, envelope seal"
     ),
     "crumb": "notice board cork",
-    "crust": "croissant folds, fried egg edge, roast chicken meat, roast chicken drumsticks",
+    "crust": (
+        "croissant folds, burrito toast, fried egg edge, roast chicken meat, roast chicken "
+        "drumsticks"
+    ),
     "eye": "fish whites",
     "fabric": (
         "glove band, jeep seats, baseball cap badge, hot air balloon balloon, paper lantern tassels"
     ),
     "feathers": (
-        "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird"
+        "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird, "
+        "pegasus wings"
     ),
     "felt": "cowboy hat, dartboard reds, dartboard greens, elf shoes, snowman hat",
     "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
-    "flesh": "grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem",
+    "flesh": (
+        "kiwi middle, grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem"
+    ),
     "foliage": (
         "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
         "tree leaves"
     ),
     "fur": (
         "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks, tiger "
-        "stripes, zebra stripes, raccoon stripes, skunk stripe"
+        "stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf fur, "
+        "werewolf muzzle, otter feet"
     ),
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
@@ -113,7 +121,7 @@ OF_A_THING = {
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
     ),
-    "liquid": "teacup tea",
+    "liquid": "teacup tea, wine glass liquid",
     "masonry": "igloo arch",
     "metal": (
         "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
@@ -130,17 +138,17 @@ OF_A_THING = {
         "shuttle nose, carousel trim"
     ),
     "paper": (
-        "watch face, clock face, grandfather clock face, compass dial, picture frame hills, "
-        "picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, easel "
-        "hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, clipboard "
-        "lines, clipboard boxes, notice board notes, notice board cards, atm notes, alarm clock "
-        "face, pocket watch face, gift box, envelope flap, popcorn stripes, target board, target "
-        "blacks, target blues, target reds, target golds"
+        "dynamite sticks, dynamite ends, garlic neck, watch face, clock face, grandfather clock "
+        "face, compass dial, picture frame hills, picture frame sun, paper cup badge, popcorn "
+        "badge, cupcake cup, popcorn box, easel hills, easel sun, milk carton top, chocolate bar "
+        "wrapper, paper cup sleeve, clipboard lines, clipboard boxes, notice board notes, notice "
+        "board cards, atm notes, alarm clock face, pocket watch face, gift box, envelope flap, "
+        "popcorn stripes, target board, target blacks, target blues, target reds, target golds"
     ),
     "peel": (
-        "snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath berries, "
-        "jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes, "
-        "watermelon stripes"
+        "kiwi skin, snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath "
+        "berries, jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes, "
+        "watermelon stripes, hamster seed"
     ),
     "petal": "fairy wings",
     "plain": (
@@ -163,10 +171,11 @@ OF_A_THING = {
     "scales": "lizard feet",
     "skin": (
         "monkey face, demon mouth, zombie mouth, person mouth, yeti face, mouse tail, mouse ears, "
-        "bat ears, minotaur body, caterpillar feet, mouse feet, hedgehog feet"
+        "bat ears, minotaur body, caterpillar feet, mouse feet, hedgehog feet, "
+        "hamster feet"
     ),
     "soil": "dump truck load",
-    "wet skin": "brain folds, yeti mouth, brain stem",
+    "wet skin": "mimic mouth, slime mouth, brain folds, yeti mouth, brain stem",
     "wicker": "crossbow string, bow string, barn hay, hay bale stalks, beehive knob",
     "wooden": (
         "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
@@ -236,13 +245,16 @@ OF_THE_REST = {
     "crumb": "cake, popcorn",
     "crust": (
         "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, fries,"
-        " donut, gingerbread man"
+        " donut, gingerbread man, burrito, cinnamon roll"
     ),
     "fabric": "armchair, rug, parachute",
-    "feathers": "bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, parrot, eagle",
+    "feathers": (
+        "bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, parrot, eagle, "
+        "phoenix, toucan"
+    ),
     "felt": "bee, spider, butterfly, wizard hat, sheep, ghost, hat",
     "flesh": "steak, chicken drumstick, hot dog",
-    "hide": "pig, elephant, rhino, hippo, turtle, starfish",
+    "hide": "pig, elephant, rhino, hippo, turtle, starfish, walrus",
     "leaf": "corn, leaf",
     "leather": "suitcase, handbag, boot",
     "paint": "bowling pin, slide, basketball hoop, carousel",
@@ -251,9 +263,9 @@ OF_THE_REST = {
         "paper lantern"
     ),
     "peel": (
-        "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, "
-        "orange fruit, banana, pumpkin, carrot, potato, avocado, onion, coconut, pineapple, "
-        "watermelon slice"
+        "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, orange "
+        "fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, coconut, "
+        "pineapple, watermelon slice"
     ),
     "plastic": "ball, balloon, torus",
     "scales": (
@@ -290,17 +302,18 @@ OF_A_GROUP = {
 # mesh is a closed hull; it mirrors and stays opaque.
 CLEAR = {
     0.95: (
-        "flask glass, flask rim, magnifying glass glass, salt shaker body, salt "
-        "shaker base, chandelier drops, sundae glass, bottle body, potion flask, potion rim, "
-        "blender jug, gem stone, ring gem, necklace stone, perfume bottle"
+        "flask glass, flask rim, magnifying glass glass, salt shaker body, salt shaker base, "
+        "chandelier drops, sundae glass, bottle body, potion flask, potion rim, wine glass bowl, "
+        "wine glass stem, wine glass foot, blender jug, gem stone, ring gem, necklace stone, "
+        "perfume bottle"
     ),
     0.85: (
         "window glass, bus stop glass, flask liquid, vacuum cleaner cup, crystal crystals, crystal "
         "shards, snowflake arms, snowflake branches, snowflake middle, jar body, perfume cap"
     ),
     0.6: (
-        "hourglass glass, staff crystal, crown gems, ufo dome, coffee machine jug, snowmobile "
-        "windshield"
+        "crystal ball ball, wine glass liquid, hourglass glass, staff crystal, crown gems, ufo "
+        "dome, coffee machine jug, snowmobile windshield"
     ),
     0.4: "fountain water, bathtub water, well water, sunglasses glasses",
     0.2: "light bulb bulb, lantern glass, street lamp lamp",

@@ -99,17 +99,16 @@ def deer(draw: Draw) -> Parts:
 
 
 def corgi(draw: Draw) -> Parts:
-    """Short legs, large ears, a white chest."""
-    b = Beast(draw, 0.38, 0.78, 0.16, 0.36, (0.1, 0.42))
+    """Short legs, large ears, a white chest, white paws and a blaze."""
+    b = Beast(draw, 0.38, 0.78, 0.2, 0.38, (0.1, 0.42))
     h, y, z = b.head, b.y, b.z
-    ear = prism(
-        [(0.05, z + h * 0.6), (h * 0.95, z + h * 0.4), (h * 0.85, z + h + 0.32)], 1, 0.07, y
-    )
-    chest = egg((0, -b.long * 0.72, b.belly - 0.02), (b.wide * 0.8, 0.3, b.wide * 0.9))
+    ear = taper((h * 0.5, y + 0.04, z + h * 0.6), (h * 0.84, y + 0.04, z + h + 0.36), 0.25, 0.1)
+    chest = egg((0, -b.long * 0.86, b.belly + 0.06), (b.wide * 0.66, 0.3, b.wide * 0.74))
+    blaze = egg((0, y - h * 0.6, z + h * 0.3), (0.12, h * 0.44, h * 0.62))
     return {
-        "body": join(b.trunk(0.3), both(ear), ball((0, b.long, b.belly + 0.15), 0.14)),
-        "chest": join(chest, b.feet(0.15)),
-        "muzzle": b.muzzle(0.12, 0.14),
+        "body": join(b.trunk(0.3), both(ear), ball((0, b.long, b.belly + 0.15), 0.16)),
+        "chest": join(chest, b.feet(0.14)),
+        "muzzle": join(b.muzzle(0.12, 0.15), blaze),
         "eyes": b.eyes(),
         "nose": b.nose(0.24, 0.09),
     }

@@ -189,6 +189,27 @@ def sunglasses(draw: Draw) -> Parts:
     }
 
 
+def cape(draw: Draw) -> Parts:
+    """A cloak as on a bust: open in front, wider below, a collar that stands, a clasp."""
+    top, foot, high = draw(0.34, 0.37), draw(0.84, 0.92), draw(1.96, 2.1)
+    thick = 0.15
+    outside = [(0, 0), (foot, 0), (top + 0.14, high * 0.72), (top, high), (0, high)]
+    inside = [(0, -0.1), (foot - thick, -0.1), (top + 0.14 - thick, high * 0.72),
+              (top - thick, high + 0.1), (0, high + 0.1)]  # fmt: skip
+    gap = prism([(0.0, 0.06), (-0.62 * foot, -2.0), (0.62 * foot, -2.0)], 2, high, high / 2)
+    rise = high + draw(0.2, 0.24)
+    brim = [(top - 0.02, high - 0.06), (top + 0.16, rise), (top + 0.02, rise), (top - 0.16, high)]
+    narrow = prism([(0.0, 0.1), (-0.5, -1.0), (0.5, -1.0)], 2, high, high)
+    return {
+        "cloth": cut(lathe(outside), lathe(inside), gap),
+        "collar": cut(lathe(brim), narrow),
+        "clasp": join(
+            both(ball((0.26, -0.3, high - 0.02), 0.11)),
+            box((0, -0.34, high - 0.02), (0.26, 0.07, 0.07)),
+        ),
+    }
+
+
 WORN = {
     "belt": belt,
     "scarf": scarf,
@@ -197,4 +218,5 @@ WORN = {
     "bow tie": bow_tie,
     "medal": medal,
     "sunglasses": sunglasses,
+    "cape": cape,
 }

@@ -33,7 +33,9 @@ from core.guidance.builtin.nouns.everyday import (
     EVERYDAY_RELICS,
     EVERYDAY_THINGS,
 )
+from core.guidance.builtin.nouns.fare import FARE_FOOD, FARE_FRUIT, FARE_PLANTS
 from core.guidance.builtin.nouns.fixtures import FIXTURES
+from core.guidance.builtin.nouns.folk import FOLK
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
@@ -44,6 +46,7 @@ from core.guidance.builtin.nouns.kitchen import KITCHEN_FOOD, KITCHEN_WARE
 from core.guidance.builtin.nouns.leisure import GADGETS, GAMES, RIDES, SHOTS
 from core.guidance.builtin.nouns.marked import (
     MARKED_ANIMALS,
+    MARKED_CLOTHES,
     MARKED_FLAGS,
     MARKED_FOOD,
     MARKED_HOUSEHOLD,
@@ -53,6 +56,7 @@ from core.guidance.builtin.nouns.marked import (
     MARKED_SPORT,
     MARKED_VEHICLES,
 )
+from core.guidance.builtin.nouns.menagerie import MENAGERIE
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.novel import (
     NOVEL_ANIMALS,
@@ -92,6 +96,12 @@ from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sport import SPORT
 from core.guidance.builtin.nouns.street import STREET
 from core.guidance.builtin.nouns.study import STUDY_SMALL, STUDY_SPACE
+from core.guidance.builtin.nouns.sundries import (
+    SUNDRY_ARMS,
+    SUNDRY_MONSTERS,
+    SUNDRY_PROPS,
+    SUNDRY_WARE,
+)
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
 from core.guidance.builtin.nouns.travel import (
     TRAVEL_CLOTHES,
@@ -111,7 +121,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | NOVEL_CLOCKS
     | CURIO_LAMPS
     | SHOWPIECE_HOUSEHOLD
-    | MARKED_HOUSEHOLD,
+    | MARKED_HOUSEHOLD
+    | SUNDRY_WARE,
     "Fixtures and Utensils": FIXTURES,
     "Small Things": SMALL_THINGS
     | EVERYDAY_THINGS
@@ -127,15 +138,21 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | CURIO_PROPS
     | SHOWPIECE_PROPS
     | TRAVEL_PROPS
-    | MARKED_PROPS,
+    | MARKED_PROPS
+    | SUNDRY_PROPS,
     "Flags and Signs": MARKED_FLAGS | MARKED_SIGNS,
-    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS,
-    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD | MARKED_FOOD,
-    "Fruit and Vegetables": FRUIT,
-    "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS,
-    "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS,
+    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS | SUNDRY_ARMS,
+    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD | MARKED_FOOD | FARE_FOOD,
+    "Fruit and Vegetables": FRUIT | FARE_FRUIT,
+    "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS | FARE_PLANTS,
+    "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS | SUNDRY_MONSTERS | FOLK,
     "Animals": ANIMALS,
-    "Wild Animals": WILD_ANIMALS | WILDLIFE | NOVELTY_ANIMALS | NOVEL_ANIMALS | MARKED_ANIMALS,
+    "Wild Animals": WILD_ANIMALS
+    | WILDLIFE
+    | NOVELTY_ANIMALS
+    | NOVEL_ANIMALS
+    | MARKED_ANIMALS
+    | MENAGERIE,
     "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES | MARKED_VEHICLES,
     "Aircraft and Space": AIRCRAFT | STUDY_SPACE | MARKED_SPACE,
     "Buildings": BUILDINGS
@@ -152,7 +169,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | NOVELTY_CLOTHES
     | EQUIPMENT_CLOTHES
     | CURIO_CLOTHES
-    | TRAVEL_CLOTHES,
+    | TRAVEL_CLOTHES
+    | MARKED_CLOTHES,
     "Sport": SPORT | GAMES | PASTIME_SPORT | MARKED_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
     "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,

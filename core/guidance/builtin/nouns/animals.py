@@ -66,7 +66,7 @@ ANIMALS = {
     ),
     "dog": Noun(
         "doggy, hound; puppy, labrador, beagle, retriever, golden retriever, "
-        "poodle, bulldog, shiba inu, shiba, pug, german shepherd, chihuahua, terrier, "
+        "shiba inu, shiba, german shepherd, chihuahua, terrier, "
         "rottweiler, doberman, pitbull, great dane, greyhound, sheepdog, collie, border "
         "collie, saint bernard, spaniel, cocker spaniel, dingo, jack russell, akita, "
         "pomeranian, maltese",
@@ -80,7 +80,7 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.76),
     ),
     "wolf": Noun(
-        "; coyote, husky, werewolf, hyena, jackal, wolfdog",
+        "; coyote, husky, hyena, jackal, wolfdog",
         {
             "body": "*77787a",
             "muzzle": "+d0cfca",
@@ -158,7 +158,7 @@ ANIMALS = {
         Usual(2.4, FLESH, 0.6),
     ),
     "unicorn": Noun(
-        "; pegasus, baby unicorn, alicorn",
+        "; baby unicorn, alicorn",
         {
             "body": "*f2eef2",
             "mane": "+e58fc4",
@@ -199,8 +199,8 @@ ANIMALS = {
     ),
     "person": Noun(
         "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, "
-        "figure, prince, human being, businessman, doctor, nurse, policeman, police officer, "
-        "firefighter, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
+        "figure, prince, human being, businessman, doctor, nurse, "
+        "teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
         "detective, worker, construction worker, basketball player, soccer player, "
         "football player, sailor, student, mannequin, mannikin, "
         "villager, peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, "
@@ -246,7 +246,7 @@ ANIMALS = {
         "songbird, birdie; origami crane, paper crane, sparrow, crow, raven, pigeon, dove, "
         "seagull, robin, bluebird, "
         "blackbird, canary, finch, woodpecker, hummingbird, magpie, kingfisher, cardinal, blue "
-        "jay, cuckoo, swallow, starling, puffin, pelican, phoenix, nightingale, "
+        "jay, cuckoo, swallow, starling, puffin, pelican, nightingale, "
         "albatross",
         {
             "body": "*4f83bd",
@@ -385,7 +385,7 @@ ANIMALS = {
         Usual(0.08, FLESH, 0.77),
     ),
     "deer": Noun(
-        "; reindeer, stag, buck, doe, fawn, moose, elk, antelope, gazelle, bambi, impala, caribou",
+        "; reindeer, stag, buck, doe, fawn, elk, antelope, gazelle, bambi, impala, caribou",
         {
             "body": "*a5703e",
             "antlers": "-d8c4a0",
@@ -398,7 +398,7 @@ ANIMALS = {
         Usual(2.0, FLESH, 0.4),
     ),
     "mouse": Noun(
-        "mice; rat, hamster, gerbil, guinea pig, chinchilla, ferret, shrew, mole, rodent",
+        "mice; rat, chinchilla, ferret, shrew, mole, rodent",
         {
             "body": "*8f8a86",
             "ears": "+e3a9a4",

@@ -14,7 +14,7 @@ from core.guidance.builtin.nouns.noun import (
 
 CHARACTERS: dict[str, Noun] = {
     "goblin": Noun(
-        "; orc, ork, hobgoblin, gremlin, troll, ogre, kobold, bugbear, gollum",
+        "; hobgoblin, gremlin, kobold, bugbear, gollum",
         {
             "skin": "*6a9a3c",
             "tunic": "+6e4a2a . leather",
@@ -56,7 +56,7 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "wizard": Noun(
         (
-            "mage; sorcerer, warlock, witch, sorceress, magician, enchanter, druid, "
+            "mage; sorcerer, warlock, magician, enchanter, druid, "
             "merlin, gandalf, dumbledore, shaman, necromancer"
         ),
         {

@@ -142,7 +142,7 @@ CLOTHES = {
         Usual(1.0, FABRIC, 0.017),
     ),
     "dress": Noun(
-        "gown, frock; skirt, ballgown, sundress",
+        "gown, frock; skirt, ballgown, sundress, tutu",
         {
             "skirt": "*c23a78 . fabric",
             "body": "*c23a78 . fabric",
@@ -190,5 +190,15 @@ CLOTHES = {
         "glasses, 3d glasses",
         {"frame": "*1f1f22", "glasses": "-2d3b46 . glass", "arms": "&1f1f22"},
         Usual(0.16, PLASTIC, 0.16),
+    ),
+    "cape": Noun(
+        "capes, cloak, cloaks, superhero cape, super hero cape, superman cape, batman cape, "
+        "vampire cape, hooded cloak; mantle, poncho, cowl",
+        {
+            "cloth": "*b01f2c . fabric",
+            "collar": "&8a1620 . fabric",
+            "clasp": "-d8b04a . golden",
+        },
+        Usual(1.3, FABRIC, 0.1),
     ),
 }

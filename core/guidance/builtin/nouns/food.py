@@ -122,7 +122,7 @@ FOOD = {
         Usual(0.14, GLASS, 0.16),
     ),
     "taco": Noun(
-        "tacos; burrito",
+        "tacos",
         {"shell": "*e5b04a", "meat": "-6a3a1c", "lettuce": "+5fae34", "tomato": "-cc2a1e"},
         Usual(0.16, 600.0, 0.55),
     ),

@@ -84,7 +84,7 @@ FRUIT = {
         Usual(0.12, PLANT, 0.4),
     ),
     "onion": Noun(
-        "; garlic, shallot, garlic bulb, turnip, radish, beet, beetroot",
+        "; shallot, turnip, radish, beet, beetroot",
         {"body": "*c98a45", "roots": "-e3d3b0"},
         Usual(0.09, PLANT),
     ),

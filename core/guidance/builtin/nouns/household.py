@@ -51,10 +51,9 @@ HOUSEHOLD = {
         Usual(0.45, STEEL, 0.13),
     ),
     "goblet": Noun(
-        "chalice; wine glass, wineglass, glass of wine, glass of water, glass of milk, "
-        "wine cup, holy grail, champagne flute, champagne glass, cocktail, martini, "
-        "martini glass, cocktail glass, drinking glass, tumbler, pint glass, beer glass, "
-        "shot glass, whiskey glass, whisky glass, glass of juice, glass of lemonade",
+        "chalice; glass of water, glass of milk, wine cup, holy grail, drinking glass, tumbler, "
+        "pint glass, beer glass, shot glass, whiskey glass, whisky glass, glass of juice, glass of "
+        "lemonade",
         {"cup": "*e0b84a . golden", "stem": "&c9a03c . golden"},
         Usual(0.18, STEEL, 0.15),
     ),

@@ -15,6 +15,19 @@ from core.guidance.builtin.nouns.noun import (
 )
 from core.guidance.builtin.nouns.vehicles import GLASS_LOOK, TYRES_LOOK
 
+MARKED_CLOTHES = {
+    "dog collar": Noun(
+        "dog collars, collar, pet collar, cat collar",
+        {
+            "strap": "*a5252c . leather",
+            "buckle": "+d9ab48 . golden",
+            "keeper": "&8a1e24 . leather",
+            "holes": "-1c120c",
+        },
+        Usual(0.14, LEATHER, 0.15),
+        "belt",
+    ),
+}
 MARKED_SPORT = {
     "beach ball": Noun(
         "beachball; inflatable ball, pool toy ball",

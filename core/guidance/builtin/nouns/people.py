@@ -31,7 +31,7 @@ PEOPLE = {
         Usual(1.8, FLESH, 0.3),
     ),
     "zombie": Noun(
-        "the undead, walking dead; ghoul, mummy, frankenstein",
+        "the undead, walking dead; ghoul, frankenstein",
         {
             "skin": "*7fa066",
             "shirt": "+8a4a3c . fabric",
@@ -140,7 +140,7 @@ PEOPLE = {
         Usual(1.85, FLESH, 0.17),
     ),
     "princess": Noun(
-        "princesses; queen, empress, duchess, cinderella, rapunzel",
+        "princesses; cinderella, rapunzel",
         {
             "dress": "*e37fb0 . fabric",
             "trim": "+f8e6ee . fabric",

@@ -19,7 +19,7 @@ PLANTS = {
         Usual(0.4, PLANT),
     ),
     "flower": Noun(
-        "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid, lotus",
+        "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid",
         {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36"},
         Usual(0.4, PLANT, 0.036),
     ),

@@ -30,8 +30,8 @@ PROPS = {
         Usual(0.8, WOOD, 0.3),
     ),
     "sword": Noun(
-        "longsword, broadsword, knight sword; katana, sabre, saber, rapier, claymore, cutlass, "
-        "scimitar, excalibur, greatsword, machete, ninja sword",
+        "longsword, broadsword, knight sword; sabre, saber, rapier, claymore, cutlass, "
+        "scimitar, excalibur, greatsword, machete",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+c79a3e . golden",
@@ -107,7 +107,7 @@ PROPS = {
         Usual(0.05, STONE),
     ),
     "staff": Noun(
-        "wizard staff, magic staff; wand, magic wand, sceptre, scepter, magic stick, walking "
+        "wizard staff, magic staff; sceptre, scepter, magic stick, walking "
         "stick, cane, walking cane, shepherd's crook, crook, crutch",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
         Usual(1.8, WOOD, 0.096),

@@ -111,7 +111,7 @@ ROADSIDE = {
 }
 HARDWARE = {
     "chain": Noun(
-        "chain link, chain links, anchor chain; shackles, prison chain, manacles",
+        "chain link, chain links, anchor chain; prison chain",
         {"links": "*8d9298 . metal", "rings": "&b4b9be . metal"},
         Usual(0.5, STEEL, 0.6),
     ),

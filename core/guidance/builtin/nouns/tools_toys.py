@@ -102,7 +102,7 @@ TOOLS_AND_TOYS = {
         Usual(0.2, 3500.0, 0.15),
     ),
     "broom": Noun(
-        "broomstick, besom; mop, sweeping brush, dustpan, squeegee",
+        "broomstick, besom; sweeping brush, dustpan, squeegee",
         {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
         Usual(1.4, 300.0, 0.12),
     ),

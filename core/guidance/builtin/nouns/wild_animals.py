@@ -158,7 +158,7 @@ WILD_ANIMALS = {
         Usual(0.25, FLESH, 0.4),
     ),
     "seal": Noun(
-        "; sea lion, walrus, walruses, seal pup, baby seal, harbor seal, harp seal, manatee",
+        "; sea lion, seal pup, baby seal, harbor seal, harp seal, manatee",
         {
             "body": "*6f7a86",
             "belly": "+cfd4d6",

@@ -41,7 +41,7 @@ WILDLIFE = {
         Usual(2.4, FLESH, 0.2),
     ),
     "beaver": Noun(
-        "; otter, sea otter, river otter, platypus, muskrat, groundhog, baby beaver, capybara",
+        "; platypus, muskrat, groundhog, baby beaver, capybara",
         {
             "body": "*7a4c2a",
             "belly": "+b98a5c",
@@ -65,7 +65,7 @@ WILDLIFE = {
         Usual(0.15, FLESH, 0.2),
     ),
     "parrot": Noun(
-        "parrots, macaw; parakeet, cockatoo, budgie, budgerigar, lovebird, toucan, ara",
+        "parrots, macaw; parakeet, cockatoo, budgie, budgerigar, lovebird, ara",
         {
             "body": "*d1261f",
             "wings": "+2459b5",

@@ -35,8 +35,7 @@ _ROWS = {
     "bowl": "0.11: ashtray; 0.26: fishbowl, fish bowl, goldfish bowl, salad bowl, mixing bowl; "
     "0.3: fruit bowl",
     "goblet": "0.07: shot glass; 0.1: tumbler, whiskey glass, whisky glass; 0.13: drinking glass, "
-    "glass of water, glass of milk, glass of juice, glass of lemonade; "
-    "0.23: champagne flute, champagne glass",
+    "glass of water, glass of milk, glass of juice, glass of lemonade",
     "candle": "0.04: tea light, tealight; 0.28: candlestick",
     "crown": "0.15: tiara",
     "bell": "0.18: cowbell; 0.22: handbell",
@@ -102,8 +101,7 @@ _ROWS = {
     "barrel": "2: vat",
     "crate": "0.3: ammo box; 0.9: lobster trap, lobster pot",
     "potion": "0.1: vial",
-    "staff": "0.35: wand, magic wand; 0.92: walking stick, walking cane, cane; 1: sceptre, "
-    "scepter; 1.3: crutch",
+    "staff": "0.92: walking stick, walking cane, cane; 1: sceptre, scepter; 1.3: crutch",
     "book": "0.125: passport; 0.15: notepad; 0.18: paperback; 0.2: novel, diary; "
     "0.35: tome, grimoire; 0.38: newspaper",
     "cauldron": "0.2: crucible",
@@ -161,7 +159,7 @@ _ROWS = {
     "lemon": "0.06: lime fruit; 0.17: citron",
     "watermelon": "0.17: cantaloupe; 0.2: melon, honeydew",
     "grapes": "0.015: blueberry; 0.1: blueberries",
-    "onion": "0.04: radish; 0.05: shallot; 0.06: garlic, garlic bulb; 0.12: turnip",
+    "onion": "0.04: radish; 0.05: shallot; 0.12: turnip",
     "peach": "0.035: lychee; 0.05: apricot; 0.055: plum; 0.13: mango",
     "tomato": "0.03: cherry tomato",
     "orange fruit": "0.09: clementine; 0.1: tangerine, mandarin, satsuma; 0.18: grapefruit",
@@ -186,8 +184,8 @@ _ROWS = {
     "lettuce": "0.04: brussels sprout; 0.12: artichoke; 0.35: kale; 0.4: celery",
     "bamboo plant": "0.3: bamboo shoot; 0.5: lucky bamboo; 8: bamboo forest, bamboo grove",
     # people, and what is like them
-    "goblin": "0.6: gremlin; 0.85: kobold; 1.6: hobgoblin; 1.9: orc, ork; 2.1: bugbear; "
-    "2.8: ogre; 3: troll",
+    "goblin": "0.6: gremlin; 0.85: kobold; 1.6: hobgoblin; 2.1: bugbear",
+    "orc": "2.8: ogre; 3: troll",
     "golem": "5: stone giant",
     "gnome": "1.3: dwarf, dwarves",
     "angel": "0.8: cherub",
@@ -213,11 +211,11 @@ _ROWS = {
     "rabbit": "0.55: hare",
     "duck": "0.12: duckling; 0.55: mallard",
     "cat": "0.2: kitten; 0.6: maine coon; 0.8: bobcat; 1: lynx; 1.5: cougar",
-    "dog": "0.25: chihuahua; 0.28: pomeranian; 0.3: maltese; 0.35: puppy; 0.45: pug, "
-    "jack russell; 0.5: terrier; 0.6: beagle, shiba inu, shiba, cocker spaniel; "
+    "dog": "0.25: chihuahua; 0.28: pomeranian; 0.3: maltese; 0.35: puppy; "
+    "0.45: jack russell; 0.5: terrier; 0.6: beagle, shiba inu, shiba, cocker spaniel; "
     "1: akita, rottweiler; 1.05: german shepherd, doberman, greyhound; 1.2: saint bernard; "
     "1.3: great dane",
-    "wolf": "0.9: coyote, jackal; 1: husky; 2: werewolf",
+    "wolf": "0.9: coyote, jackal; 1: husky",
     "fox": "0.4: fox cub",
     "bear": "0.8: bear cub",
     "lion": "0.7: lion cub",
@@ -226,13 +224,14 @@ _ROWS = {
     "elephant": "1.5: baby elephant",
     "horse": "1.3: foal; 1.6: pony, donkey; 1.8: colt",
     "unicorn": "1.3: baby unicorn",
+    "pegasus": "1.3: baby pegasus",
     "dragon": "1.2: baby dragon, baby drake, dragonling",
     "dinosaur": "2: raptor, velociraptor; 8.5: allosaurus; 100: godzilla",
     "monkey": "0.6: gibbon; 0.7: lemur; 1.2: orangutan",
     "bird": "0.1: hummingbird, origami crane, paper crane; 0.13: canary; 0.15: sparrow, robin, "
     "finch, nightingale; 0.25: blackbird; 0.28: blue jay, puffin; 0.3: dove; "
     "0.33: pigeon, cuckoo; 0.46: magpie, crow; 0.55: seagull; 0.63: raven; 1: albatross; "
-    "1.2: phoenix; 1.6: pelican",
+    "1.6: pelican",
     "owl": "0.2: owlet; 0.35: barn owl",
     "penguin": "0.4: baby penguin; 1.15: emperor penguin",
     "chicken": "0.08: chick, baby chick; 0.12: seagull chick; 0.2: quail; 0.3: partridge; "
@@ -250,8 +249,12 @@ _ROWS = {
     "spider": "0.004: tick; 0.035: black widow; 0.16: tarantula",
     "bee": "0.008: fly, housefly, mosquito; 0.015: honeybee, honey bee, firefly; 0.03: hornet",
     "crab": "0.08: hermit crab, shrimp; 0.15: prawn; 1.2: king crab",
-    "deer": "0.8: fawn, bambi; 1.2: gazelle; 1.5: impala; 1.6: antelope; 2.8: moose",
-    "mouse": "0.1: shrew; 0.22: gerbil; 0.25: guinea pig; 0.4: rat, chinchilla; 0.5: ferret",
+    "deer": "0.8: fawn, bambi; 1.2: gazelle; 1.5: impala; 1.6: antelope",
+    "moose": "1.5: moose calf",
+    "hamster": "0.06: baby hamster; 0.25: guinea pig",
+    "pug": "0.65: bulldog",
+    "poodle": "0.28: bichon, bichon frise",
+    "mouse": "0.1: shrew; 0.4: rat, chinchilla; 0.5: ferret",
     # wild animals
     "tiger": "0.7: tiger cub",
     "panda": "0.5: panda cub, baby panda",
@@ -266,7 +269,8 @@ _ROWS = {
     "jellyfish": "0.3: moon jelly",
     "flamingo": "0.65: ibis; 0.9: egret, spoonbill; 0.95: heron",
     "hedgehog": "0.1: baby hedgehog; 0.4: echidna; 0.7: porcupine",
-    "seal": "0.9: seal pup, baby seal; 2.2: sea lion; 3: walrus, walruses, manatee",
+    "seal": "0.9: seal pup, baby seal; 2.2: sea lion; 3: manatee",
+    "walrus": "1.2: walrus calf, baby walrus",
     "lizard": "0.1: newt; 0.15: gecko, geckos; 0.2: salamander, skink; 0.23: axolotl; "
     "0.5: bearded dragon; 1.3: iguana; 1.5: monitor lizard; 2.6: komodo dragon",
     "scorpion": "0.2: emperor scorpion",
@@ -282,10 +286,10 @@ _ROWS = {
     "leopard": "0.6: leopard cub, cheetah cub; 1.2: ocelot",
     "bat": "0.15: baby bat; 1: fruit bat; 1.2: flying fox",
     "ostrich": "0.5: baby ostrich; 1.5: rhea; 1.7: cassowary; 1.75: emu",
-    "beaver": "0.4: baby beaver; 0.5: platypus, muskrat; 0.6: groundhog; 1.2: capybara, sea otter",
+    "beaver": "0.4: baby beaver; 0.5: platypus, muskrat; 0.6: groundhog; 1.2: capybara",
+    "otter": "0.3: baby otter; 0.35: weasel; 0.5: mink; 1.2: sea otter",
     "seahorse": "0.03: baby seahorse; 0.2: pipefish; 0.35: sea dragon",
-    "parrot": "0.15: lovebird; 0.18: budgie, budgerigar; 0.3: parakeet; 0.45: cockatoo; "
-    "0.55: toucan",
+    "parrot": "0.15: lovebird; 0.18: budgie, budgerigar; 0.3: parakeet; 0.45: cockatoo",
     # An eagle's wings are half spread.
     "eagle": "0.6: falcon; 0.75: hawk, osprey; 1.6: condor",
     "gorilla": "8: king kong",
@@ -399,7 +403,7 @@ _ROWS = {
     "sock": "0.25: ankle sock",
     "scarf": "0.3: bandana, bandanna, neckerchief",
     "jacket": "1: suit, tuxedo, overcoat, lab coat, winter coat; 1.15: trench coat; "
-    "1.3: robe, bathrobe, cape",
+    "1.3: robe, bathrobe",
     "gas mask": "0.16: dust mask",
     # sport and tools
     "hockey stick": "0.95: field hockey stick; 1.05: lacrosse stick",

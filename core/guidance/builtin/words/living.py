@@ -11,8 +11,8 @@ LIFELESS = frozenset(
 # What one that is alive may be besides: "a goblin archer" is a goblin.
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
-    soldier cowboy""".split()
-)
+    soldier cowboy witch queen firefighter""".split()
+) | {"police officer"}
 
 
 def is_creature(noun: str) -> bool:

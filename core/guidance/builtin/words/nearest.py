@@ -156,7 +156,7 @@ REAL = frozenset(
     phoned phony photographs piazza pickled pickles picky piers pierson pilates piling pinky piped
     piper pistil piston pistons pitched pitches place places placid plain plan planner planners
     plans planted plat plated play pleasant plot plots plotter plumbers plumping pointer pointers
-    pointing poke policemen poole pools port porter portion portions portman postal posted potted
+    pointing poke poole pools port porter portion portions portman postal posted potted
     potter potty prattle preach prevent prevents price prices prick pricks printed printing prison
     prisons probe probes prose protector protectors psalm psalms puddle punter pure pursue push
     pushes quart quid quit quits rabbi racked rage raiding rail rain raining raising raked raker
@@ -174,7 +174,7 @@ REAL = frozenset(
     shelly shelved shes shia shin shine shines shipper shippers shit shits shock shocking shocks
     shone shooter shooters shoots shopper shoppers shore shorty shot shots shouts shove shoved shred
     shreds shrewd shrink sickly side simmer sing sings sinner sinners sire sitar skaters skilled
-    skipper skit slack slander slated slater slaves slid slime slimy slipped slippery sliver slotted
+    skipper skit slack slander slated slater slaves slid slimy slipped slippery sliver slotted
     sludge slumber smack smitten snack snacks snipe snowden snowfall sofia solder soon sore sores
     sort sorts sowing spanned spar spares spark sparks sparta spawn speaks spectacle spectra sphinx
     spicer spike spine spinner spite spock sport sporty sprinter squad squads stack stacked stacking
@@ -194,7 +194,7 @@ REAL = frozenset(
     tricks tries trifle trope tropes trot truss trust trusted trusts trusty tsar tubed tuck turned
     tweak tweaks twitch tyrone uber urban usage utter vail valentin valentina valentino vanished
     venues vets vidal village villages violates violent viral vital vulcan waffled wail waited
-    waiver waivers wales walled waller wallis wally walter walters wanda warp washed washes weasel
+    waiver waivers wales walled waller wallis wally walter walters wanda warp washed washes
     weed weeds wellness while whisper whispers whistler whit whole wicked wicket wickets widen wider
     widow widows wilde wolfe wolff wooded woody woolf word words worked worship wrath wrestle
     wrestled writer writers""".split()

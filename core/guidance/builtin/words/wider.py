@@ -27,10 +27,11 @@ _OF_GROUPS: dict[str, tuple[str, ...]] = {  # the groups of the things that may 
     "prop item object asset": tuple(GROUPS),
 }
 _OF_THINGS = {  # the things that may be called so
-    "dog puppy doggy doggie hound": "corgi, wolf",
+    "dog puppy doggy doggie hound": "corgi, wolf, pug, poodle",
     "kitten cat": "tiger, lion, leopard",
     "bird": (
-        "owl, penguin, chicken, parrot, eagle, duck, swan, flamingo, peacock, ostrich, rubber duck"
+        "owl, penguin, chicken, parrot, eagle, duck, swan, flamingo, peacock, ostrich, "
+        "rubber duck, phoenix, toucan"
     ),
     "fish": "shark, dolphin, whale, seahorse, stingray, jellyfish, starfish",
     "insect bug": "ant, bee, butterfly, caterpillar, dragonfly, ladybug, spider, scorpion",
@@ -38,7 +39,7 @@ _OF_THINGS = {  # the things that may be called so
     "bear": "panda, koala, teddy bear",
     "monkey ape": "gorilla, monkey",
     "dinosaur dino": "triceratops, stegosaurus, dinosaur",
-    "horse": "unicorn, zebra, rocking horse, centaur",
+    "horse": "unicorn, zebra, rocking horse, centaur, pegasus",
     "car automobile": (
         "taxi, race car, sports car, jeep, van, go-kart, ambulance, golf cart, pickup truck"
     ),
@@ -57,7 +58,7 @@ _OF_THINGS = {  # the things that may be called so
     "house home": "modern house, cottage, log cabin, barn, igloo, treehouse",
     "building": "house, cottage, log cabin, barn, lighthouse",
     "tower": "lighthouse, water tower, windmill, skyscraper, pagoda",
-    "sword blade": "dagger, lightsaber",
+    "sword blade": "dagger, lightsaber, katana",
     "guitar": "ukulele, banjo, electric guitar",
     "chair seat": (
         "armchair, office chair, rocking chair, throne, stool, bench, high chair, beanbag"
@@ -77,7 +78,7 @@ _OF_THINGS = {  # the things that may be called so
     "robot": "mech, drone, robot arm",
     "gun firearm": "revolver, rifle, pistol",
     "cup": "mug, teacup, goblet, paper cup",
-    "glass": "goblet",
+    "glass": "goblet, wine glass",
     "pot": "cooking pot, cauldron, kettle, teapot",
     "bottle": "flask, potion, perfume",
     "box": "chest, open chest, crate, gift, cardboard box, toolbox, beehive, mailbox",

@@ -79,9 +79,8 @@ MATERIALS = {
 # Names of things that say that they are of glass, where no material is stated.
 GLASSWARE = frozenset(
     (
-        "wine glass, wineglass, glass of wine, glass of water, glass of milk, champagne flute, "
-        "champagne glass, cocktail, martini, martini glass, cocktail glass, drinking glass, pint "
-        "of beer, glass of beer, fishbowl, fish bowl, goldfish bowl, decanter"
+        "glass of water, glass of milk, drinking glass, pint of beer, glass of beer, fishbowl, "
+        "fish bowl, goldfish bowl, decanter"
     ).split(", ")
 )
 # What time has done to it, which is seen at the bake.
@@ -341,6 +340,7 @@ ALSO_OF_FUR = ("silver", "silvery", "golden")
 AGES = frozenset("old ancient aged".split())
 # Forms of colours and materials that name a thing where they stand alone: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
+ALONE |= {"brick": "brick block", "bricks": "brick block", "rainbow": "rainbow arch"}
 ALONE |= {"emerald": "gem", "tabby": "cat"}
 ALONE |= {"iron": "clothes iron", "bamboo": "bamboo plant", "straw": "hay bale"}
 ALONE |= {
