@@ -6,6 +6,7 @@ geometric computation", 2009).
 
 import itertools
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import manifold3d
 import numpy as np
@@ -16,6 +17,7 @@ from torch import Tensor
 from core.geometry.struts import MOST_STRUTS, struts
 
 ROUND = 16  # segments of a strut's ends
+JOINT = 48  # of a joint's
 
 
 def union(
@@ -40,6 +42,33 @@ def union(
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
     first, _ = meshes[0]
     return torch.from_numpy(np.array(verts)).to(first), torch.from_numpy(faces).to(first.device)
+
+
+class Region(NamedTuple):
+    """A box, and capsules, each from one point to another with a radius; their union."""
+
+    box: tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]  # the lowest and the highest corner
+    capsules: Sequence[tuple[Float[Tensor, " 3"], Float[Tensor, " 3"], float]] = ()
+
+
+def clipped(
+    mesh: tuple[Tensor, Tensor], regions: Sequence[Region], within: bool
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """What a closed mesh has within regions, or outside all of them; maybe nothing."""
+    solid, room = _solid(*mesh), _added(map(_room, regions))
+    made = ((solid ^ room) if within else (solid - room)).to_mesh()
+    verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
+    return torch.from_numpy(np.array(verts)).to(mesh[0]), torch.from_numpy(faces).to(mesh[1].device)
+
+
+def _room(region: Region) -> manifold3d.Manifold:
+    low, high = (end.double().numpy() for end in region.box)
+    box = manifold3d.Manifold.cube([float(side) for side in high - low])
+    ends = [
+        _capsule(start.double().numpy(), end.double().numpy(), radius, JOINT)
+        for start, end, radius in region.capsules
+    ]
+    return _added([box.translate([float(x) for x in low]), *ends])
 
 
 def rounded_box(
@@ -164,9 +193,12 @@ def _verts(solid: manifold3d.Manifold) -> Float[np.ndarray, "v 3"]:
 
 
 def _capsule(
-    start: Float[np.ndarray, " 3"], end: Float[np.ndarray, " 3"], radius: float
+    start: Float[np.ndarray, " 3"],
+    end: Float[np.ndarray, " 3"],
+    radius: float,
+    segments: int = ROUND,
 ) -> manifold3d.Manifold:
-    """All points within ``radius`` of a segment."""
-    ball = manifold3d.Manifold.sphere(radius, ROUND)
+    """All points within ``radius`` of a line from one point to another."""
+    ball = manifold3d.Manifold.sphere(radius, segments)
     ends = [ball.translate([float(x) for x in at]) for at in (start, end)]
     return manifold3d.Manifold.batch_hull(ends)

@@ -11,8 +11,9 @@ from core.config import DRAFT
 from core.generate import Inputs, of_seed
 from core.geometry.assembly import assembled
 from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
-from core.guidance.builtin.composition.composed import Composed, composed_field, seen_from
+from core.guidance.builtin.composition.composed import Composed, composed_field
 from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.posing import seen_from
 from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.vocabulary import parse
@@ -38,7 +39,7 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     guidance = composed("a cat on a red cushion")
     areas, parts = guidance.areas(), guidance.parts()
     assert areas is not None and parts is not None
-    cat, cushion = guidance.things
+    cat, cushion = guidance.made.things
     assert len(areas.each) >= len(looks("cat")) + len(looks(cushion.words.noun))
     body_of = Body.of(cushion.words, cushion.solid).placed(guidance.made.places[1][0])
     low = body_of.verts[body_of.verts[:, 2] < body_of.verts[:, 2].median()]
@@ -72,7 +73,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
     surface = torch.zeros(1, 7, 64, 64)
     surface[:, 3] = -1.0
     sides = slice(8, 24), slice(40, 56)  # on the left points of the cat, then of the cushion
-    for columns, thing, (place,) in zip(sides, drawn.things, drawn.made.places, strict=True):
+    for columns, thing, (place,) in zip(sides, drawn.made.things, drawn.made.places, strict=True):
         verts = Body.of(thing.words, thing.solid).placed(place).verts
         some = verts[torch.linspace(0, len(verts) - 1, 16 * 16).long()]
         surface[0, 3, 24:40, columns] = 1.0
@@ -82,7 +83,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
     found = drawn.predict(z, t, Views(cameras, surface), **options)
     owner, copy = drawn._owner(surface)
     assert (owner[0, :20] == 0).all() and (copy == 0).all()
-    for index, thing in enumerate(drawn.things):
+    for index, thing in enumerate(drawn.made.things):
         (place,) = drawn.made.places[index]
         own = thing.predict(z, t, Views(cameras, seen_from(surface, place)), **options)
         mine = owner == index
@@ -114,7 +115,7 @@ def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone()
     assert alone.parts().forms == wizard.parts().forms
     assert alone.alone.words.absent == ()  # it has its hat
     whole = prompted.of_object(0)
-    assert whole.left_out() == () and whole.things[0].words.absent == ("hat",)
+    assert whole.left_out() == () and whole.made.things[0].words.absent == ("hat",)
     assert whole.alone.words.absent == ()
     mesh = Mesh(body("a wizard").verts, body("a wizard").faces)
     guided = alone.in_proportion(mesh, 0.5, 0.02)
@@ -152,7 +153,7 @@ def test_copies_are_painted_each_as_the_thing_itself():
     assert len(places) == 3
     alone = apple.of_object(0).areas()
     together = three.areas()
-    verts = Body.of(words, three.things[0].solid).verts
+    verts = Body.of(words, three.made.things[0].solid).verts
     for place in places:
         same = together.of(place.out(verts)) == alone.of(verts)
         assert float(same.float().mean()) > 0.95

@@ -183,7 +183,7 @@ def test_a_stone_of_what_has_gems_is_one(prompt: str, gem: dict[str, str]) -> No
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a see-through vase", "a crystal ball", "a mug with a transparent handle"]
+    "prompt", ["a see-through vase", "a crystal bowl", "a mug with a transparent handle"]
 )
 def test_what_is_seen_through_is_of_clear_glass(prompt: str) -> None:
     clear = [surface.clear for surface in surfaces_of(parse(prompt))]
@@ -316,14 +316,17 @@ def test_a_statue_of_what_has_no_colour_of_its_own_is_of_one_colour() -> None:
             {"bill": "yellow", "belly": "black", "legs": "charcoal"},
         ),
         ("a polar bear", ["white"], {"muzzle": "white"}),
-        ("a policeman", ["navy"], {"trousers": "navy", "shoes": "black"}),
+        ("a businessman", ["charcoal"], {"trousers": "charcoal", "shoes": "black"}),
         ("a ruby", ["red"], {}),
         ("a balloon dog", ["red"], {}),
         ("a blue balloon dog", ["blue"], {}),
         ("an emerald ring", [], {"gem": "emerald"}),
         ("a ruby heart", ["red"], {}),
         ("a superhero with a red cape", [], {"cape": "red"}),
-        ("a woman in a red dress", [], {"shirt": "red"}),
+        ("a woman in a red shirt", [], {"shirt": "red"}),
+        ("a man in a black suit", [], {"trousers": "black"}),
+        ("a tuxedo", ["black"], {"zip": "black"}),
+        ("a red tuxedo", ["red"], {}),
     ],
 )
 def test_a_kind_has_its_own_colours_and_who_wears_something_has_it(
@@ -372,7 +375,7 @@ def test_an_action_figure_is_small() -> None:
         ("a tin of sardines", "can", [], []),
         ("an old tin of green paint", "can", [], []),
         ("a cup made of tin", "mug", [], ["tin"]),
-        ("a glass of red wine", "goblet", ["red"], ["glass"]),
+        ("a glass of red wine", "wine glass", ["red"], []),
         ("a salt shaker and a pepper mill", "salt shaker", [], []),
         ("a peach armchair", "armchair", ["peach orange"], []),
         ("a lemon cake", "cake", [], []),

@@ -22,6 +22,7 @@ from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.guidance.builtin.areas import AreaFields, SolidAreas, depths, patterned
 from core.guidance.builtin.bent import BentSolid, bent
+from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.wearing import freed
 from core.guidance.builtin.diffusion import alpha_bar_schedule
@@ -67,6 +68,7 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
+SOFT = 0.01  # of a part's surface, flat: known, and not so
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
 NOT_DRAWN_ON = (
     "left out, as only on what the built-in prior draws itself is something written or drawn; not "
@@ -115,9 +117,10 @@ class BuiltinGuidance(Guidance):
         alone = PromptedBuiltin(self, words, negative)
         if not words.companions and words.count == 1:
             return alone
-        each = [freed(words, words.companions), *(one.words for one in words.companions)]
+        pairs = [(one.relation, one.words) for one in words.companions]
+        each = [freed(words, pairs), *(other for _, other in pairs)]
         things = [PromptedBuiltin(self, one, negative) for one in each]
-        return Composed(self, alone, things, [one.relation for one in words.companions])
+        return Composed(self, alone, things, [how for how, _ in pairs])
 
     def encode_normals(
         self, n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]
@@ -186,6 +189,10 @@ class PromptedBuiltin(PromptedGuidance):
         solid = Solid.drawn(net, rows, generator, absent, words.kinds)
         solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
+
+    def with_solid(self, solid: Solid) -> "PromptedBuiltin":
+        """The same of another solid, such as a shirt as somebody wears it."""
+        return PromptedBuiltin(self.builtin, self.words, self.negative, solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
         """With the drawn solid stretched and bent."""
@@ -257,6 +264,9 @@ class PromptedBuiltin(PromptedGuidance):
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
+        if isinstance(self.solid, Garment):  # no form of its own
+            soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
+            return KnownParts(self.solid.distances, soft)
         # A guide may be as wide as the cube, beyond which nothing is looked at.
         is_guided = isinstance(self.solid, BentSolid)
         wider = AS_IT_IS if is_guided else known_wider(solid_of(self.words.noun))

@@ -57,8 +57,10 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
     held_already = False
     for how, other in others:
         if how == "holds":
-            found.append(held(other, there, held_already))
+            found.append(held(other, there.standing or there, held_already))
             held_already = True
+        elif how in ("on", "in") and first.rests is not None:
+            found.append(first.rests)
         else:
             found.append(_PLACED[how](other, there))
     return found

@@ -7,7 +7,8 @@ of the thing that is there.
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
+from itertools import compress
+from typing import NamedTuple, TypeVar
 
 import torch
 from jaxtyping import Bool, Float, Int
@@ -21,88 +22,31 @@ from core.geometry.pieces import Piece
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged
+from core.guidance.builtin.composition.clothing import dressed
 from core.guidance.builtin.composition.placement import Body, Placement
-from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.composition.posing import in_one, points_of, seen_from
+from core.guidance.builtin.composition.sitting import seated
+from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.words.companions import Relation
-from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
 
 ALONE = (
     "left out, as only what the built-in prior draws itself is made of several things; not a mesh "
     "of yours, nor what is distilled."
 )
+UNFIT = "left out, as the thing has no place for it."
 
 Known = TypeVar("Known", AreaFields, KnownParts)
 BEYOND = 0.1  # training units: what is not in a thing's cube is at least so far from it
 
 
-@runtime_checkable
-class Thing(Protocol):
-    """The guidance of one thing by itself."""
-
-    words: Words
-    solid: Solid | None
-
-    def of_object(self, seed: int) -> "Thing":
-        """See :class:`PromptedGuidance`, as of all that follow."""
-        ...
-
-    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Thing":
-        """In a guide's proportions."""
-        ...
-
-    def start_shape(self) -> Shape | None:
-        """The drawn solid."""
-        ...
-
-    def parts(self) -> KnownParts | None:
-        """The drawn solid's."""
-        ...
-
-    def area_fields(self) -> AreaFields | None:
-        """Its areas, and what is meant by each."""
-        ...
-
-    def areas(self) -> SolidAreas | None:
-        """The same on a lattice."""
-        ...
-
-    def ranges(self) -> MaterialRanges:
-        """Of all its parts."""
-        ...
-
-    def surfaces(self) -> tuple[Surface, ...]:
-        """Of all its parts."""
-        ...
-
-    def left_out(self) -> tuple[str, ...]:
-        """Notes."""
-        ...
-
-    def restore(
-        self, pictures: Float[Tensor, "b 4 s s"], views: Views
-    ) -> Float[Tensor, "b 4 s s"] | None:
-        """Pictures of the thing made crisp."""
-        ...
-
-    def predict(
-        self,
-        z_t: Float[Tensor, "b 4 s s"],
-        t: Int[Tensor, " b"],
-        views: Views,
-        *,
-        cond_only: bool = False,
-        apart: bool = False,
-    ) -> Predictions:
-        """Of pictures of the thing."""
-        ...
-
-
 class Made(NamedTuple):
     """How drawn things are put together."""
 
+    things: Sequence[Thing]
     places: Sequence[Sequence[Placement]]  # of the copies of each
     size_m: float  # of the whole's longest side, metres
+    unfit: Sequence[str] = ()  # nouns of what does not fit its wearer, and is left out
 
 
 class Composed(PromptedGuidance):
@@ -119,7 +63,7 @@ class Composed(PromptedGuidance):
         """
         Args:
             alone: the first thing as it is without companions.
-            things: the first one as it is with them, and its companions.
+            things: the first one as it is with them, and its companions, not drawn.
             relations: of the first to each companion.
             made: what the things are, once they are drawn.
         """
@@ -134,21 +78,26 @@ class Composed(PromptedGuidance):
         bodies = [Body.of(thing.words, thing.solid) for thing in drawn if thing.solid]
         if len(bodies) < len(drawn):  # of weights without solids
             return self
-        places = arranged(bodies[0], list(zip(self.relations, bodies[1:], strict=True)))
+        drawn, bodies, fits = dressed(drawn, bodies, self.relations)
+        drawn, bodies = seated(drawn, bodies, self.relations)
+        drawn = list(compress(drawn, [True, *fits]))
+        bodies = list(compress(bodies, [True, *fits]))
+        relations = list(compress(self.relations, fits))
+        places = arranged(bodies[0], list(zip(relations, bodies[1:], strict=True)))
         each = zip(bodies, places, strict=True)
         verts = torch.cat([place.out(body.verts) for body, own in each for place in own])
         sides = verts.amax(0) - verts.amin(0)
         size_m = float(sides.max()) * bodies[0].metres / places[0][0].scale
-        return self._with(self.alone, drawn, Made(places, size_m))
+        others = zip(self.things[1:], fits, strict=True)
+        unfit = [thing.words.noun for thing, fit in others if not fit]
+        return self._with(self.alone, Made(drawn, places, size_m, unfit))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
         """The first thing alone: a guide is of one thing."""
         return self._with(self.alone.in_proportion(guide, strength, least))
 
-    def _with(
-        self, alone: Thing, things: Sequence[Thing] = (), made: "Made | None" = None
-    ) -> "Composed":
-        return Composed(self._guidance, alone, things or self.things, self.relations, made)
+    def _with(self, alone: Thing, made: "Made | None" = None) -> "Composed":
+        return Composed(self._guidance, alone, self.things, self.relations, made)
 
     def size_m(self) -> float | None:
         """That of the whole, in which the first thing has its usual size or the stated one."""
@@ -172,7 +121,7 @@ class Composed(PromptedGuidance):
         """All things', the first's first."""
         if not self.made:
             return self.alone.areas()
-        known = [_known(thing.area_fields()) for thing in self.things]
+        known = [_known(thing.area_fields()) for thing in self.made.things]
         drawn = composed_field([one.drawn for one in known], self.made.places)
         near = composed_field([one.near for one in known], self.made.places)
         return SolidAreas(drawn, tuple(area for one in known for area in one.each), near)
@@ -192,7 +141,7 @@ class Composed(PromptedGuidance):
         """The things' own notes; and on the companions and the copies that are not there."""
         own = tuple(text for thing in self._here for text in thing.left_out())
         if self.made:
-            return own
+            return own + tuple(f"{noun}: {UNFIT}" for noun in self.made.unfit)
         first, *others = (thing.words for thing in self.things)
         more = [f"{first.count} × {first.noun}"] if first.count > 1 else []
         return own + tuple(f"{what}: {ALONE}" for what in (*more, *(one.noun for one in others)))
@@ -231,9 +180,7 @@ class Composed(PromptedGuidance):
     ) -> tuple[Int[Tensor, "b s s"], Int[Tensor, "b s s"]]:
         """The thing at each place of the pictures, and which copy of it; the first where nothing
         is."""
-        seen = surface[:, 3] > -1
-        covered = (surface[:, 3] + 1) / 2
-        points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
+        seen, points = points_of(surface)
         owner = torch.zeros_like(seen, dtype=torch.long)
         copy = torch.zeros_like(owner)
         owner[seen], copy[seen] = self._parts.copy(points[seen])
@@ -241,12 +188,12 @@ class Composed(PromptedGuidance):
 
     @property
     def _here(self) -> Sequence[Thing]:
-        return self.things if self.made else [self.alone]
+        return self.made.things if self.made else [self.alone]
 
     @property
     def _placed(self) -> list[tuple[Thing, Sequence[Placement]]]:
         assert self.made is not None
-        return list(zip(self.things, self.made.places, strict=True))
+        return list(zip(self.made.things, self.made.places, strict=True))
 
     @cached_property
     def _parts(self) -> "ComposedParts":
@@ -348,28 +295,9 @@ def composed_field(fields: Sequence[Field], placements: Sequence[Sequence[Placem
     def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
         distances, depths = [], []
         for field, places in zip(fields, placements, strict=True):
-            each = torch.stack([at_place(_in_one(field), place, points) for place in places])
+            each = torch.stack([at_place(in_one(field), place, points) for place in places])
             distances.append(each[..., 0].amin(0))
             depths.append(-each[..., 1:].amin(0))
         return torch.stack(distances, 1).amin(1), torch.cat(depths, 1)
 
     return at
-
-
-def _in_one(field: Field) -> Callable[[Tensor], Tensor]:
-    """A field's distance, then how far out of each area."""
-
-    def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n a"]:
-        distance, depths = field(points)
-        return torch.cat([distance[:, None], -depths], 1)
-
-    return at
-
-
-def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
-    """The pictures' normals and points as the thing at a placement knows them."""
-    rows = surface.permute(0, 2, 3, 1)
-    normals, mask, points = rows[..., :3], rows[..., 3:4], rows[..., 4:]
-    turn, shift = place.turn.to(surface), place.shift.to(surface)
-    points = (points - shift * (mask + 1) / 2) @ turn / place.scale  # they are weighted by coverage
-    return torch.cat([normals @ turn, mask, points], -1).permute(0, 3, 1, 2)

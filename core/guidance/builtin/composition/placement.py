@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import torch
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.guidance.builtin.palette import looks
@@ -70,6 +70,8 @@ class Body:
     faces: Int[Tensor, "f 3"]
     part: Int[Tensor, " v"]
     metres: float = 1.0  # that a training unit of it stands for
+    rests: Placement | None = None  # where that lies which it sits on or rides
+    standing: "Body | None" = None  # as it is before it sits, its trunk in the same place
 
     @classmethod
     def of(cls, words: Words, solid: Solid) -> "Body":
@@ -88,7 +90,8 @@ class Body:
     def placed(self, placement: Placement) -> "Body":
         """The thing there."""
         metres = self.metres / placement.scale
-        return replace(self, verts=placement.out(self.verts), metres=metres)
+        standing = self.standing and self.standing.placed(placement)
+        return replace(self, verts=placement.out(self.verts), metres=metres, standing=standing)
 
     def group(self, copies: "Sequence[Placement]") -> "Body":
         """Several of the thing as one."""
@@ -116,14 +119,15 @@ class Body:
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of parts of these names."""
-        return self.verts[self._among(names)]
+        return self.verts[self.among(*names)]
 
     def without(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of all other parts; of all, if there are no others."""
-        rest = self.verts[~self._among(names)]
+        rest = self.verts[~self.among(*names)]
         return rest if len(rest) else self.verts
 
-    def _among(self, names: tuple[str, ...]) -> Tensor:
+    def among(self, *names: str) -> Bool[Tensor, " v"]:
+        """Which points are of parts of these names."""
         rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
         return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
 

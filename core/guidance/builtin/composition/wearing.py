@@ -13,6 +13,7 @@ from core.guidance.builtin.composition.resting import spot_on
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.companion_words import (
     AROUND_NECKS,
+    CLOTHING,
     EYEWEAR,
     FACES,
     HEADWEAR,
@@ -23,7 +24,6 @@ from core.guidance.builtin.words.slots import Words
 
 IN_HAND = {"knight": "shield"}  # in the hand that would hold something else
 OWN_HATS = "hat", "crown", "helmet"  # parts, which a thing takes off for another one
-WRAPPED_ROUND = ("scarf", "necklace")
 # What stands out of a head and is not part of its width.
 NO_HEAD = tuple(
     """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
@@ -34,7 +34,8 @@ MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
 # Of the head's width below the eyes: where the neck is, at least; and how far on; how low a
 # face may reach.
 BELOW, REACH, FACE = 0.4, 0.2, 0.45
-# Of the neck's width; of a scarf's height, below its top; of the head's width, a neck's at most.
+# Of the neck's width; of a necklace's height, below its top; of the head's width, a neck's at
+# most.
 WRAPPED, RING, SLIM = 1.3, 0.28, 0.95
 GLASSES_LIKE, OUT = ("sunglasses", "goggles"), 0.6  # of the depth: before the eyes
 FOREHEAD, SMALL_HAT = 0.12, 0.6  # of the head's width
@@ -71,7 +72,10 @@ class Head(NamedTuple):
 
 def worn(item: Body, wearer: Body) -> Placement:
     """Where what is worn is."""
-    noun, head = item.words.noun, head_of(wearer)
+    noun = item.words.noun
+    if noun in CLOTHING:  # it is cut to the wearer
+        return Placement.of()
+    head = head_of(wearer)
     if noun == "headphones":
         return _over_ears(item, head)
     if noun in EYEWEAR | FACES:
@@ -107,12 +111,12 @@ def _on_head(hat: Body, head: Head) -> Placement:
 
 
 def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
-    """A scarf around the narrowest place below the head, a bow tie before it, what hangs down
+    """A necklace around the narrowest place below the head, a bow tie before it, what hangs down
     from there before the chest."""
-    neck = _neck_of(wearer, head)
+    neck = neck_of(wearer, head)
     if item.words.noun in HANGING:
         return _before_chest(item, wearer, head, neck)
-    wrapped = item.words.noun in WRAPPED_ROUND
+    wrapped = item.words.noun == "necklace"
     wide = WRAPPED * min(neck.wide, SLIM * head.wide) if wrapped else TIE * head.wide
     place = Placement.of(wide / float(item.sides[0]))
     there = item.placed(place)
@@ -156,7 +160,8 @@ class Neck(NamedTuple):
     front: float  # its least y
 
 
-def _neck_of(wearer: Body, head: Head) -> Neck:
+def neck_of(wearer: Body, head: Head) -> Neck:
+    """The narrowest place below the head."""
     rest = wearer.without(*NO_HEAD, *MUZZLES)
     found = []
     begin = head.eyes - BELOW * head.wide

@@ -16,9 +16,13 @@ HEADWEAR = frozenset(
 )
 EYEWEAR = frozenset(("sunglasses", "goggles", "vr headset"))
 FACES = frozenset(("gas mask", "mask"))  # over them
-AROUND_NECKS = frozenset(("scarf", "bow tie", "necktie", "medal", "necklace"))
+AROUND_NECKS = frozenset(("bow tie", "necktie", "medal", "necklace"))
 ON_BACKS = frozenset(("backpack", "jetpack"))
-WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | {"headphones"}
+# They are cut to who wears them.
+CLOTHING = frozenset(
+    "jacket shirt dress trousers belt chestplate boot sneaker sandal sock scarf cape".split()
+) | {"high heel", "dog collar"}
+WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headphones"}
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(
     (
@@ -33,7 +37,7 @@ PIERCED = frozenset(
     "boulder stump log anvil tree pumpkin watermelon cake bread cheese apple skull shield".split()
 )
 POINTED = frozenset(
-    "sword dagger knife axe pickaxe spear halberd arrow trident fork shovel saw".split()
+    "sword katana dagger knife axe pickaxe spear halberd arrow trident fork shovel saw".split()
 )
 # One sits in them as on a bench.
 SEATS = frozenset(
@@ -56,7 +60,7 @@ _SLENDER = (
     "lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full moon, "
     "sun, snowflake, target, dartboard, notice board, flute, whistle, christmas bauble, broom, "
     "rake, lollipop, phone, remote control, wind turbine, satellite, stethoscope, solar panel, "
-    "ring, bus stop"
+    "ring, bus stop, katana, magic wand, handcuffs, bullet, mop, wine glass"
 )
 _SLENDER_GROUPS = ("Flags and Signs", "Clothes")
 _STURDY = frozenset("backpack suitcase briefcase handbag boot sneaker helmet".split())
@@ -104,7 +108,7 @@ INSTRUMENTS = frozenset(GROUPS["Instruments"])
 EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
 DRINKS = frozenset(
     "mug teacup goblet bottle can jar milk-carton potion flask".replace("-", " ").split()
-) | {"paper cup", "bubble tea", "milk carton", "drinking horn", "jug"}
+) | {"paper cup", "bubble tea", "milk carton", "drinking horn", "jug", "wine glass"}
 READ = frozenset(("book", "scroll", "envelope", "clipboard"))
 USED = (
     dict.fromkeys(("playing", "plays"), INSTRUMENTS)
@@ -175,6 +179,11 @@ def may_wear(first: str, other: str) -> bool:
     """Whether the first thing may wear the other, and has nothing there already."""
     covered = other in ("helmet", "gas mask") and owns(first, "visor")
     return other in WORN and first not in WORN and not covered
+
+
+def is_put_on(first: str, other: str) -> bool:
+    """Whether it is worn over what the first thing has on by nature: a person has a shirt."""
+    return first == "person" and other in ("jacket", "dress", "cape")
 
 
 def may_bear(other: str, first: str, heaped: bool = False) -> bool:

@@ -32,6 +32,7 @@ MOST = 2  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
 _VERBS = {"wears": "wearing", "holds": "holding", "in": "in"}
 _PLACING = ("on", "in")  # of which a thing has one
+_DRIVING = ("driving", "drives", "drive")
 
 
 class Found(NamedTuple):
@@ -40,6 +41,7 @@ class Found(NamedTuple):
     relation: Relation
     phrase: str
     words: Words
+    verb: str = ""  # what the first does there
 
 
 class Read(NamedTuple):
@@ -238,6 +240,8 @@ class _Search:
         weak: bool = False,
     ) -> Found | None:
         """What the phrase names, if it may be with the first thing so."""
+        if verb in _DRIVING and named_in(phrase) in known_as.CONTAINERS:
+            relation = "in"
         if relation == "in":
             relation = known_as.as_meant(named_in(phrase))
         if relation in _PLACING and any(one.relation in _PLACING for one in found):
@@ -265,7 +269,8 @@ class _Search:
         # A hat of its own is taken off for another kind of hat, and left on for "a hat".
         own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
         another = relation == "wears" and other in known_as.HEADWEAR and not own
-        if not another and _is_part(got.entry, first):
+        anew = relation == "wears" and known_as.is_put_on(first, other)
+        if not another and not anew and _is_part(got.entry, first):
             return None
         is_so = {
             "on": lambda: known_as.may_bear(other, first, heaped),
@@ -280,7 +285,7 @@ class _Search:
         }
         if relation in ("wears", "holds"):
             words = _alone(words, got.said)
-        return Found(relation, phrase, words) if is_so[relation]() else None
+        return Found(relation, phrase, words, verb) if is_so[relation]() else None
 
 
 def _alone(words: Words, said: str) -> Words:

@@ -1,6 +1,7 @@
 """What the kinds of a thing look like that are made as it, where a prompt names no colour.
 
-Of each the colour or the material of the whole, or colours with a pattern, then colours of parts.
+Of each the colour or the material of the whole or both, or colours with a pattern, then colours of
+parts.
 Standard library only.
 """
 
@@ -18,12 +19,10 @@ _ROWS = {
     "canary, finch": "yellow; belly: yellow",
     "blue jay, bluebird": "blue; belly: white",
     "hummingbird": "green; belly: white",
-    "phoenix": "orange; belly: yellow",
     "snowy owl": "white; belly: white",
     "origami crane, paper crane": "white; belly: white; wings: white; bill: white; legs: white",
     "golden eagle, hawk, falcon": "umber; head: chestnut",
     "condor, vulture": "charcoal; head: pink",
-    "toucan": "black; wings: black; coverts: white; bill: orange",
     "cockatoo": "white; wings: white; coverts: cream",
     "parakeet, budgie, budgerigar, lovebird": "green; wings: green; coverts: yellow",
     "egret, stork": "white; tip: black",
@@ -46,9 +45,8 @@ _ROWS = {
     "german shepherd": "tan; ears: black; muzzle: black",
     "rottweiler, doberman": "black; ears: black; muzzle: rust brown",
     "collie, border collie": "black; ears: black; muzzle: white",
-    "poodle, maltese": "white; ears: white; muzzle: white",
+    "maltese": "white; ears: white; muzzle: white",
     "pomeranian, shiba, shiba inu, akita": "rust orange; ears: rust orange; muzzle: white",
-    "pug, bulldog": "tan; ears: black; muzzle: black",
     "great dane, greyhound": "grey; ears: grey; muzzle: ash grey",
     "saint bernard": "chestnut; ears: umber; muzzle: white",
     "cocker spaniel, spaniel": "chestnut; ears: chestnut",
@@ -73,7 +71,6 @@ _ROWS = {
     "betta fish": "royal blue; fins: red; lips: royal blue",
     "prawn, shrimp": "salmon pink; belly: pink",
     "squid": "salmon pink",
-    "walrus, walruses": "umber; muzzle: tan",
     "cobra, rattlesnake, viper, adder": "umber; belly: tan",
     "worm, earthworm": "salmon pink; belly: pink",
     "eel": "charcoal; belly: grey",
@@ -91,8 +88,6 @@ _ROWS = {
     # people
     "businessman": "charcoal; trousers: charcoal; shoes: black",
     "doctor, nurse, scientist": "white; trousers: white",
-    "policeman, police officer": "navy; trousers: navy; shoes: black",
-    "firefighter": "mustard; trousers: mustard; shoes: black",
     "monk": "burnt orange; trousers: burnt orange",
     "ballerina": "pink; trousers: pink; shoes: pink",
     "sailor": "white; trousers: white",
@@ -112,7 +107,7 @@ _ROWS = {
     "blueberry, blueberries": "navy",
     "blackberry": "black; seeds: charcoal",
     "cauliflower": "cream",
-    "garlic, shallot, garlic bulb, turnip": "ivory",
+    "shallot, turnip": "ivory",
     "radish, beet, beetroot": "burgundy",
     "sweet potato, yam": "rust orange; spots: rust brown",
     "jalapeno": "green",
@@ -128,11 +123,11 @@ _ROWS = {
     "smoothie": "pink; pearls: pink",
     "slushie": "azure; pearls: azure",
     "silver bar": "silver",
+    "silver bullet": "silver",
     "metal bar": "metal",
     "poppy": "red; heart: black",
     "daffodil": "yellow; heart: orange",
     "orchid": "violet",
-    "lotus": "pink",
     "lily": "white",
     "crocus": "violet",
     "peony, peony flower, carnation": "pink",
@@ -149,11 +144,14 @@ _ROWS = {
     # what is in it
     "honey, honey jar, honey pot, beer bottle, bottle of beer, whiskey, whisky, rum": "amber",
     "peanut butter": "tan",
+    "glass of white wine, champagne flute, champagne glass, glass of champagne": "yellow",
+    "cocktail, cocktail glass": "pink",
+    "martini, martini glass": "sage",
+    "brandy glass": "amber",
     "bottle of milk, milk bottle": "ivory",
     "ketchup, hot sauce": "red",
     "mustard bottle, olive oil": "mustard",
     # what is worn and driven
-    "tuxedo": "black; shirt: white",
     "straw hat, panama hat": "straw",
     "santa hat, santa claus hat, christmas hat": "red; brim: white; pompom: white",
     "chef hat, chef cap, sailor hat, sailor cap": "white; brim: white; pompom: white",
@@ -165,9 +163,14 @@ _ROWS = {
     "paper bag": "paper",
     "punching bag, boxing bag": "red",
     "pearl necklace": "ivory; beads: ivory",
-    "lab coat": "white",
-    "raincoat, rain boot, wellington, wellies, wellington boots, gumboots": "yellow",
-    "trench coat": "tan",
+    "lab coat, bathrobe": "white of fabric",
+    "raincoat, rain boot, wellington, wellies, wellington boots, gumboots": "yellow of rubber",
+    "trench coat, cardigan": "tan of fabric",
+    "tuxedo, suit, suit jacket": "black of fabric; shirt: white; zip: black",
+    "hoodie, zip hoodie, tracksuit top": "grey of fabric",
+    "coat, winter coat, overcoat, blazer, varsity jacket, robe": "navy of fabric",
+    "parka, anorak": "olive green of fabric",
+    "jean jacket": "denim",
     "limousine, limo, hearse": "black",
     "ferrari": "red",
     "stealth bomber, stealth fighter, stealth jet": "charcoal",
@@ -184,4 +187,5 @@ def look_of_kind(form: str) -> tuple[list[str], dict[str, str]]:
     """The words for the whole of a kind as it was written, and the colour of each part that has
     its own; nothing where the thing's own looks are the kind's."""
     whole, *parts = KINDS[form].split("; ") if form in KINDS else [""]
-    return re.split(" (spotted|striped) ", whole), dict(part.split(": ") for part in parts)
+    words = filter(None, re.split(" of | (spotted|striped) ", whole))
+    return list(words), dict(part.split(": ") for part in parts)

@@ -200,15 +200,18 @@ class Likeness(Clauses):
             colors += filter(None, (look_up(name, self.known) for name in names))
 
     def _look_like_its_kind(self) -> None:
-        """A crow is black, made as a bird that is blue, where no colour is stated."""
+        """A crow is black, made as a bird that is blue, where no colour is stated; a tuxedo is of
+        cloth, made as a jacket that is of leather, where no material is."""
         found = self.got.found
-        if not found["noun"] or found["color"] or found["pattern"] or self.got.is_statue:
+        if not found["noun"] or self.got.is_statue:
             return
+        is_plain = not found["color"] and not found["pattern"]
         whole, parts = look_of_kind(found["noun"][0].form)
-        for entry in (look_up(phrase, self.known) for phrase in whole):
-            if entry is not None:
+        known = [look_up(phrase, self.known) for phrase in whole]
+        for entry in (one for one in known if one is not None):
+            if not found["material"] if entry.slot == "material" else is_plain:
                 found[entry.slot].append(entry)
-        for part, name in parts.items():
+        for part, name in parts.items() if is_plain else ():
             color = look_up(name, self.known)
             if color is not None and part in looks_of(self.got.thing):
                 form = shade(*color[1:])

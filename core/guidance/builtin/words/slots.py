@@ -107,3 +107,4 @@ class Companion(NamedTuple):
 
     relation: Relation
     words: Words
+    verb: str = ""  # what the first does there: "sitting", "riding"

@@ -10,19 +10,21 @@ Standard library only, so that ``run.py words`` and the panel need not load a ne
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 from typing import Any
 
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.words.accents import Accent
+from core.guidance.builtin.words.companion_words import CLOTHING
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.part_names import own_name
+from core.guidance.builtin.words.part_names import own_name, owns
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
@@ -40,6 +42,7 @@ DENIM_BLUE = "denim blue"
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
 AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
 NEXT_TO = re.compile(rf" (?:(?:standing|sitting) )?(?:next to|beside){_ANOTHER}", re.IGNORECASE)
+SUITS = re.compile(r"\b(?:suit|tuxedo)\b", re.IGNORECASE)
 ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 
 
@@ -227,7 +230,9 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
 
 def _together(words: Words, found: Iterable[Found]) -> Words:
     """The thing with these others, with what there is to know of them too."""
-    companions = tuple(Companion(one.relation, _matched(words, one)) for one in found)
+    found = list(found)
+    companions = tuple(Companion(one.relation, _matched(words, one), one.verb) for one in found)
+    words = replace(words, accents=(*words.accents, *_of_suits(words, found)))
     notes = (_about(note, one.words.noun) for one in companions for note in one.words.notes)
     left_out = (word for one in companions for word in one.words.left_out)
     return replace(
@@ -238,9 +243,20 @@ def _together(words: Words, found: Iterable[Found]) -> Words:
     )
 
 
+def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
+    """The trousers of a suit that somebody wears who has other ones."""
+    stated = {words.target, *(accent.part for accent in words.accents)}
+    for one in found:
+        if SUITS.search(one.phrase) and owns(words.noun, "trousers") and "trousers" not in stated:
+            yield Accent("trousers", one.words.color, one.words.color_form)
+
+
 def _matched(first: Words, found: Found) -> Words:
     """What a statue wears, holds or rides is of its material, where none is stated."""
     words = found.words
+    if found.relation == "wears" and words.noun in CLOTHING:  # it is as large as its wearer
+        notes = tuple(note for note in words.notes if not note.endswith(ITS_SIZE))
+        words = replace(words, scale=1.0, size=None, notes=notes)
     joined = found.relation in ("wears", "holds") or is_creature(words.noun)
     if not (first.is_statue and joined) or words.material or words.color:
         return words

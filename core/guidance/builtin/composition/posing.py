@@ -1,0 +1,279 @@
+"""A drawn thing in another pose than its rest pose: bones, each a region that is moved.
+
+As the thing's distances are known everywhere, nothing is deformed: a bone has what is in its region
+of the rest pose, moved rigidly. The regions of neighbours overlap at their joint in a ball, so that
+it is filled.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import torch
+from jaxtyping import Bool, Float, Int
+from torch import Tensor
+
+from core.appearance.material_ranges import MaterialRanges
+from core.geometry.assembly import KnownParts
+from core.geometry.init_shape import Shape
+from core.geometry.mesh import Mesh
+from core.geometry.pieces import Piece
+from core.geometry.union import Region, clipped
+from core.guidance.builtin.areas import AreaFields, Field, SolidAreas
+from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.thing import Thing
+from core.guidance.builtin.solid import Solid
+from core.guidance.guidance import Predictions, Surface, Views
+
+KNOWN = 0.12  # training units: what is farther from a bone's region is not looked at
+
+Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
+
+
+@dataclass(frozen=True)
+class Bone:
+    """What is in some regions of the rest pose, or in none of them, and where it is moved."""
+
+    regions: tuple[Region, ...]
+    place: Placement
+    within: bool = True
+
+    def gap(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """How far points of the rest pose are from what is the bone's, signed."""
+        gap = torch.stack([_distance(region, points) for region in self.regions]).amin(0)
+        return gap if self.within else -gap
+
+
+def _distance(region: Region, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+    """From a box and the capsules that go with it."""
+    low, high = (end.to(points) for end in region.box)
+    beyond = torch.maximum(low - points, points - high)
+    found = beyond.clamp_min(0).norm(dim=1) + beyond.amax(1).clamp_max(0)
+    for start, end, radius in region.capsules:
+        way, from_start = (end - start).to(points), points - start.to(points)
+        share = ((from_start @ way) / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
+        found = torch.minimum(found, (from_start - share[:, None] * way).norm(dim=1) - radius)
+    return found
+
+
+@dataclass(frozen=True)
+class Pose:
+    """The bones of a thing, the trunk first."""
+
+    bones: tuple[Bone, ...]
+
+    def owner(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """The bone of each point of the rest pose."""
+        gaps = torch.stack([bone.gap(points) for bone in self.bones], 1)
+        inside = (gaps <= 0).long()  # of several the first
+        return torch.where(inside.any(1), inside.argmax(1), gaps.argmin(1))
+
+    def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the rest pose where they come to lie."""
+        owner, found = self.owner(points), points.clone()
+        for index, bone in enumerate(self.bones):
+            mine = owner == index
+            found[mine] = bone.place.out(points[mine])
+        return found
+
+    def body(self, body: Body) -> Body:
+        """A drawn thing's."""
+        return replace(body, verts=self.out(body.verts))
+
+    def distances(self, known: Distances) -> Distances:
+        """The distances of parts in the pose, from those in the rest pose."""
+
+        def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+            return torch.stack(self._each(known, points)).amin(0)
+
+        return at
+
+    def field(self, known: Field) -> Field:
+        """The areas in the pose, from those in the rest pose."""
+        posed = self.distances(in_one(known))
+
+        def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
+            found = posed(points)
+            return found[:, 0], -found[:, 1:]
+
+        return at
+
+    def bone_at(self, known: Distances, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+        """Whose surface each point of the posed thing is on."""
+        return torch.stack([one.amin(1) for one in self._each(known, points)], 1).argmin(1)
+
+    def _each(self, known: Distances, points: Float[Tensor, "n 3"]) -> list[Tensor]:
+        """The distances from what each bone has."""
+        found = []
+        for bone in self.bones:
+            rest = bone.place.into(points)
+            gap = bone.gap(rest)
+            near = gap < KNOWN
+            own = known(rest[near])
+            whole = gap[:, None].expand(-1, own.shape[1]).clone()
+            whole[near] = torch.maximum(own, gap[near, None])
+            found.append(whole)
+        return found
+
+
+class PosedParts(KnownParts):
+    """The parts of a thing in a pose."""
+
+    def __init__(self, rest: KnownParts, pose: Pose) -> None:
+        super().__init__(pose.distances(rest.distances), rest.forms)
+        self.rest, self.pose = rest, pose
+        self._cut_off: dict[tuple[int, int, bool], tuple[Tensor, Tensor]] = {}
+
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """What each bone has of each, as it is in the rest pose."""
+        return [self.rest.pieces[index] for index, _ in self._cut]
+
+    def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
+        """What a bone has of a piece's surface."""
+        return self._of_bone(*self._cut[index], exact)
+
+    def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances from their exact surfaces."""
+        return self.pose.distances(self.rest.near)(points)
+
+    @cached_property
+    def _cut(self) -> list[tuple[int, int]]:
+        """The pieces, and the bones that have some of each."""
+        bones = range(len(self.pose.bones))
+        pairs = [(k, bone) for k in range(len(self.rest.pieces)) for bone in bones]
+        return [pair for pair in pairs if len(self._of_bone(*pair, exact=True)[1])]
+
+    def _of_bone(self, piece: int, index: int, exact: bool) -> tuple[Tensor, Tensor]:
+        key = (piece, index, exact)
+        if key not in self._cut_off:
+            bone = self.pose.bones[index]
+            verts, faces = clipped(self.rest.surface_of(piece, exact), bone.regions, bone.within)
+            self._cut_off[key] = bone.place.out(verts), faces
+        return self._cut_off[key]
+
+
+class Posed:
+    """A drawn thing in a pose."""
+
+    def __init__(self, rest: Thing, pose: Pose) -> None:
+        self.rest, self.pose = rest, pose
+        self.words, self.solid = rest.words, rest.solid
+
+    def of_object(self, seed: int) -> Thing:
+        """Another one, in its rest pose."""
+        return self.rest.of_object(seed)
+
+    def with_solid(self, solid: Solid) -> Thing:
+        """The same of another solid, in its rest pose."""
+        return self.rest.with_solid(solid)
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> Thing:
+        """In a guide's proportions, which has a pose of its own."""
+        return self.rest.in_proportion(guide, strength, least)
+
+    def start_shape(self) -> Shape | None:
+        """In the rest pose."""
+        return self.rest.start_shape()
+
+    def parts(self) -> KnownParts | None:
+        """In the pose."""
+        return self._parts
+
+    @cached_property
+    def _parts(self) -> KnownParts | None:
+        rest = self.rest.parts()
+        return rest and PosedParts(rest, self.pose)
+
+    def area_fields(self) -> AreaFields | None:
+        """In the pose."""
+        rest = self.rest.area_fields()
+        if rest is None:
+            return None
+        return AreaFields(self.pose.field(rest.drawn), self.pose.field(rest.near), rest.each)
+
+    def areas(self) -> SolidAreas | None:
+        """The same on a lattice."""
+        fields = self.area_fields()
+        return fields and SolidAreas(fields.drawn, fields.each, fields.near)
+
+    def ranges(self) -> MaterialRanges:
+        """As in the rest pose."""
+        return self.rest.ranges()
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """As in the rest pose."""
+        return self.rest.surfaces()
+
+    def left_out(self) -> tuple[str, ...]:
+        """Notes."""
+        return self.rest.left_out()
+
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """As in the rest pose."""
+        return self.rest.restore(pictures, views)
+
+    def predict(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        views: Views,
+        *,
+        cond_only: bool = False,
+        apart: bool = False,
+    ) -> Predictions:
+        """Each place as it is seen in the rest pose."""
+        parts = self.rest.parts()
+        if views.surface is not None and parts is not None:
+            views = Views(views.cameras, self._at_rest(views.surface, parts))
+        return self.rest.predict(z_t, t, views, cond_only=cond_only, apart=apart)
+
+    def _at_rest(
+        self, surface: Float[Tensor, "b 7 s s"], parts: KnownParts
+    ) -> Float[Tensor, "b 7 s s"]:
+        """The pictures' normals and points, each as its bone has them in the rest pose."""
+        seen, points = points_of(surface)
+        owner = torch.zeros_like(seen, dtype=torch.long)
+        owner[seen] = self.pose.bone_at(parts.distances, points[seen])
+        at_rest = surface
+        for index, bone in enumerate(self.pose.bones):
+            mine = (owner == index)[:, None]
+            at_rest = torch.where(mine, seen_from(surface, bone.place), at_rest)
+        return at_rest
+
+
+def in_one(field: Field) -> Distances:
+    """A field's distance, then how far out of each area."""
+
+    def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n a"]:
+        distance, depths = field(points)
+        return torch.cat([distance[:, None], -depths], 1)
+
+    return at
+
+
+def points_of(
+    surface: Float[Tensor, "b 7 s s"],
+) -> tuple[Bool[Tensor, "b s s"], Float[Tensor, "b s s 3"]]:
+    """Where the pictures show something, and its points."""
+    covered = (surface[:, 3] + 1) / 2
+    points = surface[:, 4:] / covered[:, None].clamp_min(1e-3)
+    return surface[:, 3] > -1, points.permute(0, 2, 3, 1)
+
+
+def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
+    """The pictures' normals and points as the thing at a placement knows them."""
+    rows = surface.permute(0, 2, 3, 1)
+    normals, mask, points = rows[..., :3], rows[..., 3:4], rows[..., 4:]
+    turn, shift = place.turn.to(surface), place.shift.to(surface)
+    points = (points - shift * (mask + 1) / 2) @ turn / place.scale  # they are weighted by coverage
+    return torch.cat([normals @ turn, mask, points], -1).permute(0, 3, 1, 2)
+
+
+def joint(
+    at: Float[Tensor, " 3"], turn: Float[Tensor, "3 3"], to: Float[Tensor, " 3"]
+) -> Placement:
+    """Turned about a joint of the rest pose, which comes to lie at ``to``."""
+    return Placement(1.0, to - turn @ at, turn)

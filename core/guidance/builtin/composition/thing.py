@@ -1,0 +1,81 @@
+"""The guidance of one thing of a composition."""
+
+from typing import Protocol, runtime_checkable
+
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.appearance.material_ranges import MaterialRanges
+from core.geometry.assembly import KnownParts
+from core.geometry.init_shape import Shape
+from core.geometry.mesh import Mesh
+from core.guidance.builtin.areas import AreaFields, SolidAreas
+from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.words.slots import Words
+from core.guidance.guidance import Predictions, Surface, Views
+
+
+@runtime_checkable
+class Thing(Protocol):
+    """The guidance of one thing by itself."""
+
+    words: Words
+    solid: Solid | None
+
+    def of_object(self, seed: int) -> "Thing":
+        """See :class:`PromptedGuidance`, as of all that follow."""
+        ...
+
+    def with_solid(self, solid: Solid) -> "Thing":
+        """The same of another solid."""
+        ...
+
+    def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Thing":
+        """In a guide's proportions."""
+        ...
+
+    def start_shape(self) -> Shape | None:
+        """The drawn solid."""
+        ...
+
+    def parts(self) -> KnownParts | None:
+        """The drawn solid's."""
+        ...
+
+    def area_fields(self) -> AreaFields | None:
+        """Its areas, and what is meant by each."""
+        ...
+
+    def areas(self) -> SolidAreas | None:
+        """The same on a lattice."""
+        ...
+
+    def ranges(self) -> MaterialRanges:
+        """Of all its parts."""
+        ...
+
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Of all its parts."""
+        ...
+
+    def left_out(self) -> tuple[str, ...]:
+        """Notes."""
+        ...
+
+    def restore(
+        self, pictures: Float[Tensor, "b 4 s s"], views: Views
+    ) -> Float[Tensor, "b 4 s s"] | None:
+        """Pictures of the thing made crisp."""
+        ...
+
+    def predict(
+        self,
+        z_t: Float[Tensor, "b 4 s s"],
+        t: Int[Tensor, " b"],
+        views: Views,
+        *,
+        cond_only: bool = False,
+        apart: bool = False,
+    ) -> Predictions:
+        """Of pictures of the thing."""
+        ...
