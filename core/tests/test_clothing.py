@@ -90,7 +90,10 @@ def test_one_garment_lies_over_another():
         cut(noun, wearer, points)["body"] for noun in ("shirt", "trousers", "jacket")
     )
     # Where nothing but the wearer's surface bounds them.
-    cloth = {name: (one - out).abs() < 0.06 for name, one in zip("stj", (shirt, trousers, jacket))}
+    cloth = {
+        name: (one - out).abs() < 0.06
+        for name, one in zip("stj", (shirt, trousers, jacket), strict=True)
+    }
     both, under = cloth["s"] & cloth["t"], cloth["j"] & cloth["s"]
     assert both.sum() > 20 and (shirt[both] < trousers[both]).all()
     assert under.sum() > 20 and (jacket[under] < shirt[under]).all()

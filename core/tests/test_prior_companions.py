@@ -189,6 +189,33 @@ def test_clothes_are_worn(prompt, first, others):
     assert {one.relation for one in words.companions} <= {"wears"}
 
 
+@pytest.mark.parametrize(
+    ("prompt", "first", "others"),
+    [
+        ("a cat dressed as a pirate", "cat", ["pirate hat"]),
+        ("a dog in a superman costume", "dog", ["red cape"]),
+        ("a frog dressed up as a king on a lily pad", "frog", ["golden crown", "red cape"]),
+        ("a mouse dressed like a wizard", "mouse", ["blue wizard hat", "blue cape"]),
+        ("a penguin in a police uniform", "penguin", ["navy baseball cap", "navy shirt"]),
+        ("a pirate", "pirate", []),
+        ("a santa costume", "santa claus", []),
+        ("a horse in armor", "horse", ["chestplate"]),
+        ("a chair wearing a shirt", "chair", []),
+    ],
+)
+def test_a_costume_is_what_is_worn(prompt, first, others):
+    words = parse(prompt)
+    assert (words.noun, [str(one.words) for one in words.companions]) == (first, others)
+
+
+def test_a_statues_suit_is_of_its_material_and_a_stated_one_of_its_own():
+    (jacket,) = parse("a bronze statue of a man in a suit").companions
+    assert (jacket.words.color, jacket.words.material_form) == ("", "bronze")
+    assert not jacket.words.accents
+    (crown,) = parse("a marble statue of a cat wearing a golden crown").companions
+    assert crown.words.material == "golden"
+
+
 def test_what_is_cut_to_its_wearer_has_no_size_of_its_own():
     (raincoat,) = parse("a hamster in a tiny yellow raincoat").companions
     assert raincoat.words.scale == 1.0

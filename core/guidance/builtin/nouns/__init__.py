@@ -99,7 +99,7 @@ from core.guidance.builtin.nouns.study import STUDY_SMALL, STUDY_SPACE
 from core.guidance.builtin.nouns.sundries import (
     SUNDRY_ARMS,
     SUNDRY_MONSTERS,
-    SUNDRY_PROPS,
+    SUNDRY_SMALL,
     SUNDRY_WARE,
 )
 from core.guidance.builtin.nouns.tools_toys import TOOLS_AND_TOYS
@@ -129,7 +129,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | EQUIPMENT_SMALL
     | NOVEL_SMALL
     | STUDY_SMALL
-    | TRAVEL_SMALL,
+    | TRAVEL_SMALL
+    | SUNDRY_SMALL,
     "Props": PROPS
     | HARDWARE
     | EQUIPMENT_PROPS
@@ -138,8 +139,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | CURIO_PROPS
     | SHOWPIECE_PROPS
     | TRAVEL_PROPS
-    | MARKED_PROPS
-    | SUNDRY_PROPS,
+    | MARKED_PROPS,
     "Flags and Signs": MARKED_FLAGS | MARKED_SIGNS,
     "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS | SUNDRY_ARMS,
     "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD | MARKED_FOOD | FARE_FOOD,

@@ -120,7 +120,7 @@ CLOTHES = {
     "shirt": Noun(
         "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, blouse, tank top, vest, "
         "sweatshirt, kimono, jersey, turtleneck, pajamas, pyjamas, polo shirt, t shirt dress, "
-        "swimsuit",
+        "swimsuit, waistcoat, onesie, bikini",
         {
             "body": "*3f7fc0 . fabric",
             "cuffs": "&336ba5 . fabric",
@@ -142,7 +142,7 @@ CLOTHES = {
         Usual(1.0, FABRIC, 0.017),
     ),
     "dress": Noun(
-        "gown, frock; skirt, ballgown, sundress, tutu",
+        "gown, frock, wedding dress, evening gown; skirt, ballgown, sundress, tutu, toga, kilt",
         {
             "skirt": "*c23a78 . fabric",
             "body": "*c23a78 . fabric",

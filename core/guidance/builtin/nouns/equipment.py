@@ -200,7 +200,7 @@ EQUIPMENT_CLOTHES = {
         "coat, hoodie, jackets, zip hoodie, bomber jacket, biker jacket, winter jacket, hooded "
         "jacket; jean jacket, parka, raincoat, blazer, cardigan, anorak, overcoat, trench coat, "
         "winter coat, tracksuit top, varsity jacket, suit, tuxedo, suit jacket, lab coat, robe, "
-        "bathrobe",
+        "bathrobe, life jacket",
         {
             "body": "*6b3a22 . leather",
             "shirt": "+ece6d8 . fabric",

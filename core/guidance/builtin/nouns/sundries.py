@@ -114,7 +114,7 @@ SUNDRY_ARMS = {
         Usual(0.25, GLASS, 0.9),
     ),
 }
-SUNDRY_PROPS = {
+SUNDRY_SMALL = {
     "stone cross": Noun(
         "stone crosses, celtic cross, celtic crosses, gothic cross, latin cross, high cross, "
         "grave cross, cemetery cross, graveyard cross, churchyard cross, christian cross, "

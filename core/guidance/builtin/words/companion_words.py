@@ -5,7 +5,7 @@ Standard library only.
 
 import re
 
-from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.words.companion_openers import Relation
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import owns
@@ -178,12 +178,15 @@ def may_hold_within(other: str, first: str) -> bool:
 def may_wear(first: str, other: str) -> bool:
     """Whether the first thing may wear the other, and has nothing there already."""
     covered = other in ("helmet", "gas mask") and owns(first, "visor")
+    if other in CLOTHING and not is_dressed(first):
+        return False
     return other in WORN and first not in WORN and not covered
 
 
 def is_put_on(first: str, other: str) -> bool:
     """Whether it is worn over what the first thing has on by nature: a person has a shirt."""
-    return first == "person" and other in ("jacket", "dress", "cape")
+    armour = other == "chestplate" and not {"armour", "plate"}.intersection(NOUNS[first].looks)
+    return armour or (first == "person" and other in ("jacket", "dress", "cape"))
 
 
 def may_bear(other: str, first: str, heaped: bool = False) -> bool:

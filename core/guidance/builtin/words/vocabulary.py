@@ -20,9 +20,10 @@ from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.companion_words import CLOTHING
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
+from core.guidance.builtin.words.costumes import undisguised
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
-from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name, owns
 from core.guidance.builtin.words.prompt_errors import (
@@ -36,13 +37,14 @@ from core.guidance.builtin.words.prompt_errors import (
 from core.guidance.builtin.words.reading import Reading
 from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.words import GLASSWARE, PLAIN, WEATHERS
+from core.guidance.builtin.words.words import GLASSWARE, PLAIN, SHAPES, WEATHERS
 
 DENIM_BLUE = "denim blue"
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
 AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
 NEXT_TO = re.compile(rf" (?:(?:standing|sitting) )?(?:next to|beside){_ANOTHER}", re.IGNORECASE)
 SUITS = re.compile(r"\b(?:suit|tuxedo)\b", re.IGNORECASE)
+SHAPED = tuple(f": made {shape}." for shape in SHAPES)
 ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 
 
@@ -149,6 +151,8 @@ def _side_by_side(
 
 
 def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
+    if noun_needed:
+        prompt = undisguised(prompt)
     companions, rest = _companions(prompt, known, ignore_unknown) if noun_needed else ([], prompt)
     if companions:
         try:
@@ -245,23 +249,36 @@ def _together(words: Words, found: Iterable[Found]) -> Words:
 
 def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
     """The trousers of a suit that somebody wears who has other ones."""
+    if words.is_statue:
+        return
     stated = {words.target, *(accent.part for accent in words.accents)}
     for one in found:
-        if SUITS.search(one.phrase) and owns(words.noun, "trousers") and "trousers" not in stated:
-            yield Accent("trousers", one.words.color, one.words.color_form)
+        suit = one.relation == "wears" and one.words.noun == "jacket" and SUITS.search(one.phrase)
+        if suit and owns(words.noun, "trousers") and "trousers" not in stated:
+            other = one.words
+            pattern = (other.pattern, other.second, other.second_form) if other.pattern else ()
+            yield Accent("trousers", other.color, other.color_form, "", "", "", *pattern)
 
 
 def _matched(first: Words, found: Found) -> Words:
     """What a statue wears, holds or rides is of its material, where none is stated."""
     words = found.words
     if found.relation == "wears" and words.noun in CLOTHING:  # it is as large as its wearer
-        notes = tuple(note for note in words.notes if not note.endswith(ITS_SIZE))
-        words = replace(words, scale=1.0, size=None, notes=notes)
+        notes = tuple(note for note in words.notes if not note.endswith((*ITS_SIZE, *SHAPED)))
+        words = replace(words, scale=1.0, size=None, shape="", notes=notes)
     joined = found.relation in ("wears", "holds") or is_creature(words.noun)
-    if not (first.is_statue and joined) or words.material or words.color:
+    if not (first.is_statue and joined) or _states_look(found.phrase):
         return words
     form = first.material_form
-    return replace(words, is_statue=True, material=first.material, material_form=form)
+    plain = {"color": "", "color_form": "", "second": "", "second_form": "", "target": ""}
+    of = {"material": first.material, "material_form": form, "accents": ()}
+    return replace(words, is_statue=True, **plain, **of)
+
+
+def _states_look(phrase: str) -> bool:
+    """Whether it names a colour or a material: a tuxedo is black by itself."""
+    found = (look_up(word, SLOTS) for word in phrase.lower().split())
+    return any(entry.slot in ("color", "material") for entry in found if entry)
 
 
 def _about(note: str, noun: str) -> str:
