@@ -137,7 +137,7 @@ def test_every_kind_that_the_built_in_prior_names_has_its_detail():
 
 def test_every_variant_is_a_word_of_its_material():
     for form, variant in VARIANTS.items():
-        words = parse(f"a {form} ball")
+        words = parse(f"a {form} cube")
         assert words.material_form == form
         assert surfaces_of(words)[0].kind == variant.kind
 

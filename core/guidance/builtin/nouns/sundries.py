@@ -148,8 +148,8 @@ SUNDRY_SMALL = {
 }
 SUNDRY_MONSTERS = {
     "slime": Noun(
-        "slimes, slime monster, jelly monster, slime blob, slime creature, jelly "
-        "slime, blob monster, gelatinous blob, game slime, rpg slime; ooze, blob, goo monster, "
+        "slimes, slime monster, jelly monster, slime creature, jelly "
+        "slime, blob monster, game slime, rpg slime; ooze, goo monster, "
         "gelatinous cube, slime king",
         {
             "body": "*4fc23a . plastic",
