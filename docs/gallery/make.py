@@ -19,10 +19,10 @@ SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
     "a corgi wearing a green scarf",
-    "a rusted sword stuck in a mossy stone",
-    "a white rabbit sitting on a stack of pancakes",
+    "a penguin in a tuxedo",
     "an astronaut riding a horse",
-    "a basket of red apples",
+    "a frog dressed as a king",
+    "a mimic",
 )
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
