@@ -50,6 +50,12 @@ class Region(NamedTuple):
     box: tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]  # the lowest and the highest corner
     capsules: Sequence[tuple[Float[Tensor, " 3"], Float[Tensor, " 3"], float]] = ()
 
+    def moved(self, by: Float[Tensor, " 3"]) -> "Region":
+        """Farther by so much."""
+        low, high = self.box
+        capsules = [(start + by, end + by, radius) for start, end, radius in self.capsules]
+        return Region((low + by, high + by), capsules)
+
 
 def clipped(
     mesh: tuple[Tensor, Tensor], regions: Sequence[Region], within: bool

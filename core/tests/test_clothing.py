@@ -5,12 +5,12 @@ from functools import cache
 import pytest
 import torch
 
-from core.geometry.assembly import assembled
 from core.geometry.mesh import component_labels
-from core.geometry.union import is_solid
+from core.geometry.union import is_solid, union
 from core.guidance.builtin.composition.clothing import Garment, garment
 from core.guidance.builtin.composition.cuts import CUTS, cut
 from core.guidance.builtin.composition.measurements import BARE, Measurements
+from core.guidance.builtin.composition.placement import Body
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.companion_words import CLOTHING, WORN
@@ -113,6 +113,19 @@ def test_a_tail_goes_through():
     assert (made.sdf(tail) > 0).all()
 
 
+def test_a_raised_arm_has_a_sleeve_beside_the_head_and_the_head_none():
+    drawn = load_builtin("cpu").prompted("a man", "").of_object(1)
+    assert drawn.solid
+    own = Body.of(drawn.words, drawn.solid)
+    wearer = Measurements.of(own, drawn.parts())
+    shirt = cut("shirt", wearer, own.verts)["body"]
+    above = own.verts[:, 2] > float(wearer.neck[2]) + 0.03
+    aside = (own.verts[:, 0] - wearer.neck[0]).abs() / wearer.head.wide
+    assert (shirt[above & (aside < 0.5)] > 0).all()
+    arm = above & (aside > 0.65) & (own.verts[:, 2] < wearer.raised - 0.03)
+    assert arm.sum() > 20 and (shirt[arm] < 0).float().mean() > 0.9
+
+
 def test_cloth_lies_a_little_outside_of_its_wearer():
     made, wearer = worn_by("a cat", "shirt"), measured("a cat")
     assert made
@@ -168,14 +181,13 @@ def test_shoes_are_on_each_foot_and_do_not_fit_a_fish():
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a cat wearing a red shirt", "a robot wearing a leather jacket and a scarf"]
+    "prompt", ["a cat wearing a red shirt", "a penguin wearing a leather jacket and a scarf"]
 )
-def test_who_is_dressed_is_one_closed_mesh(prompt: str):
+def test_who_is_dressed_is_one_closed_mesh_without_a_strut(prompt: str):
     parts = composed(prompt).parts()
     assert parts
-    mesh = assembled(parts, True, 0.01, lambda _: None)
-    assert mesh and is_solid(*mesh)
-    assert component_labels(mesh[1], len(mesh[0]))[0] == 1
+    verts, faces = union([parts.surface_of(k) for k in range(len(parts.pieces))], strut=0.0)
+    assert is_solid(verts, faces) and component_labels(faces, len(verts))[0] == 1
 
 
 def test_a_scarf_is_around_the_neck_and_not_on_the_shoulders():

@@ -8,19 +8,18 @@ import pytest
 import torch
 
 from core.camera import Cameras
-from core.config import DRAFT
-from core.geometry.assembly import assembled
 from core.geometry.mesh import component_labels, health
-from core.geometry.union import Region, clipped, rounded_box
+from core.geometry.union import Region, clipped, rounded_box, union
 from core.guidance.builtin.composition.arranged import arranged
-from core.guidance.builtin.composition.legs import HANGING, Legs, legs_of
+from core.guidance.builtin.composition.clothing import dressed
+from core.guidance.builtin.composition.legs import HANGING, OFF_AXIS, Legs, legs_of
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import Bone, Pose, Posed, joint
-from core.guidance.builtin.composition.sitting import ROBED, posture_of, seated
+from core.guidance.builtin.composition.sitting import posture_of, seated
 from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import Views
-from core.tests.drawn_things import body, composed, several
+from core.tests.drawn_things import body, composed
 
 QUARTER = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # down to the front
 
@@ -187,20 +186,16 @@ def test_who_stands_is_as_before():
     assert not any(isinstance(thing, Posed) for thing in guidance.made.things)
 
 
-def test_a_king_is_as_deep_in_his_throne_as_if_he_sat():
-    guidance = composed("a king on a throne")
-    king, throne = (
+@pytest.mark.parametrize("who", ["a king", "a queen", "a witch"])
+def test_in_a_robe_one_is_as_deep_in_a_throne_as_if_one_sat(who: str):
+    guidance = composed(f"{who} on a throne")
+    sitter, throne = (
         Body.of(thing.words, thing.solid).placed(place)
         for thing, (place,) in zip(guidance.made.things, guidance.made.places, strict=True)
     )
     assert not isinstance(guidance.made.things[0], Posed)
-    assert float(king.box[0, 2]) < float(throne.of_parts("cushion")[:, 2].amax())
-    assert float(king.box[0, 1]) < float(throne.of_parts("cushion")[:, 1].amin())
-
-
-@pytest.mark.parametrize("noun", ["queen", "witch", "grim reaper"])
-def test_more_robes_are_sunk_in_a_seat(noun):
-    assert noun in ROBED
+    assert float(sitter.box[0, 2]) < float(throne.of_parts("cushion")[:, 2].amax())
+    assert float(sitter.box[0, 1]) < float(throne.of_parts("cushion")[:, 1].amin())
 
 
 def test_a_skirt_is_before_the_seat_that_it_is_sunk_in():
@@ -224,6 +219,18 @@ def test_boots_go_with_the_legs_that_wear_them():
     assert len(verts) and not bool((owner[verts[:, 2] < found.crotch] == 0).any())
 
 
+def test_what_is_worn_is_known_where_it_comes_to_lie():
+    guidance = load_builtin("cpu").prompted("a robot wearing boots sitting on a bench", "")
+    drawn = [thing.of_object(0) for thing in guidance.things]
+    bodies = [Body.of(thing.words, thing.solid) for thing in drawn]
+    drawn, bodies, _ = dressed(drawn, bodies, guidance.relations)
+    things, forms = seated(drawn, bodies, guidance.relations)
+    at = next(k for k, thing in enumerate(things) if thing.words.noun == "boot")
+    assert isinstance(things[at], Posed)
+    torch.testing.assert_close(forms[at].verts, things[at].pose.out(bodies[at].verts))
+    assert not torch.equal(forms[at].verts, bodies[at].verts)
+
+
 def test_who_drives_is_below_the_roof():
     posed, man, jeep = placed("a man driving a jeep")
     assert len(posed.pose.bones) == 3
@@ -232,10 +239,33 @@ def test_who_drives_is_below_the_roof():
 
 
 def test_a_heap_in_a_boat_is_not_posed():
-    (men, _, _), boat = several("a man", 3, "row"), body("a boat")
     drawn = [load_builtin("cpu").prompted("a man", "").of_object(0)] * 2
-    things, bodies = seated(drawn, [men, boat], ["in"])
-    assert things == drawn and bodies[0].rests is None
+    for count in (3, 1):
+        words = replace(parse("a man in a boat"), count=count)
+        man = replace(body("a man"), words=words)
+        things, bodies = seated(drawn, [man, body("a boat")], ["in"])
+        assert (things[0] is drawn[0], bodies[0].rests is None) == (count == 3, count == 3)
+
+
+def test_who_waves_has_legs_about_an_axis_of_their_own():
+    waving = load_builtin("cpu").prompted("a man sitting on a bench", "").of_object(1)
+    man = waving.made.things[0]
+    assert isinstance(man, Posed)
+    whole = Body.of(man.words, man.solid)
+    found = legs_of(whole, man.rest.parts())
+    assert found is not None and abs(found.axis) > OFF_AXIS
+    owner = man.pose.owner(whole.verts)
+    left, right = (whole.verts[(owner == k) | (owner == k + 1), 0] for k in (1, 3))
+    assert float(left.amin()) > found.axis - 0.02 and float(right.amax()) < found.axis + 0.02
+    for side in (1, -1):
+        assert 80 < angle_of_knee(man, side) < 110
+
+
+def test_a_pose_goes_with_the_thing():
+    posed, _, _ = placed("a man sitting on a bench")
+    points = Body.of(posed.words, posed.solid).verts
+    by = torch.tensor([0.3, -0.1, 0.2])
+    torch.testing.assert_close(posed.pose.moved(by).out(points + by), posed.pose.out(points) + by)
 
 
 def test_a_hand_is_where_it_was_before_one_sat():
@@ -247,12 +277,10 @@ def test_a_hand_is_where_it_was_before_one_sat():
     torch.testing.assert_close(found / own.scale, expected / alone.scale)
 
 
-def test_one_who_sits_is_closed_and_of_one_piece():
+def test_one_who_sits_is_closed_and_of_one_piece_without_a_strut():
     parts = composed("a man sitting on a bench").parts()
     assert parts is not None
-    made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
-    assert made is not None
-    verts, faces = made
+    verts, faces = union([parts.surface_of(k) for k in range(len(parts.pieces))], strut=0.0)
     assert health(verts, faces)["closed"] and component_labels(faces, len(verts))[0] == 1
 
 

@@ -336,6 +336,20 @@ def test_a_kind_has_its_own_colours_and_who_wears_something_has_it(
     assert (found["colours"], found["part_colours"]) == (colours, parts)
 
 
+@pytest.mark.parametrize(
+    ("prompt", "color", "material"),
+    [
+        ("a red tuxedo", "red", "fabric"),
+        ("a tuxedo", "black", "fabric"),
+        ("a leather coat", "navy", "leather"),
+        ("a jacket", "", ""),
+    ],
+)
+def test_a_kind_has_its_material_whatever_its_colour(prompt, color, material) -> None:
+    words = parse(prompt)
+    assert (words.color, words.material) == (color, material)
+
+
 def test_every_kind_is_a_noun_with_such_parts_and_known_colours() -> None:
     for form in KINDS:
         slot, noun = LEXICON[form]

@@ -261,12 +261,12 @@ class PromptedBuiltin(PromptedGuidance):
         if self.solid is None:
             return None
         flat, around = part_forms_table()[self.words.noun]
+        if isinstance(self.solid, Garment):  # it has its wearer's form
+            soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
+            return KnownParts(self.solid.distances, soft)
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        if isinstance(self.solid, Garment):  # no form of its own
-            soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
-            return KnownParts(self.solid.distances, soft)
         # A guide may be as wide as the cube, beyond which nothing is looked at.
         is_guided = isinstance(self.solid, BentSolid)
         wider = AS_IT_IS if is_guided else known_wider(solid_of(self.words.noun))

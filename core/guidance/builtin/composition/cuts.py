@@ -36,6 +36,7 @@ SWUNG, SPREAD, DRAPED = 0.25, 0.6, 0.45
 ANKLE = 0.16  # of a leg's length
 # Training units: a sole's thickness; from where on a shoe goes straight down; its least height.
 SOLE, FOOT, SHORTEST = 0.035, 0.08, 0.14
+BESIDE = 0.55  # of the head's width, from its middle: an arm that is raised
 SPLIT = 0.15  # of half the trunk's width: between shoes
 HEAD_HIGH = 0.5  # of the way from the crotch to the eyes: an animal's cape ends
 
@@ -68,7 +69,9 @@ class Place:
         hands = self.aside - wearer.reach
         hanging = most(wearer.wide + CLOTH - self.aside, self.level - wearer.sleeve)
         front, back = wearer.front - AROUND - y, y - wearer.back - AROUND
-        return most(-self.below, hands, -hanging, front, back, wearer.crotch - self.level)
+        beside = most(BESIDE * wearer.head.wide - self.aside, self.level - wearer.raised)
+        neck = torch.minimum(-self.below, beside)
+        return most(neck, hands, -hanging, front, back, wearer.crotch - self.level)
 
     def band(self, at: Distance, middle: float = 0.0, half: float = EDGE) -> Distance:
         """How far from what is within ``half`` of a value."""
@@ -202,7 +205,8 @@ def _scarf(at: Place) -> Cloth:
         end = wearer.crotch + SCARF * (float(wearer.neck[2]) - wearer.crotch)
         beside = at.band(aside, ASIDE * wearer.neck_wide, 1.5 * WRAP)
         strip = most(beside, -at.below, at.points[:, 1] - float(wearer.neck[1]))
-    else:  # over its shoulder
+    else:  # over its shoulder; not around its front legs
+        ring = most(ring, wearer.belly - at.level)
         end = wearer.crotch
         strip = most(at.band(depth, WRAP, 1.5 * WRAP), -aside)
     hanging = most(at.skin - PADDED, strip)

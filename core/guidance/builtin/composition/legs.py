@@ -34,18 +34,20 @@ MARGIN = 0.045  # training units, around the legs
 THICK = 3.0  # of a leg's radius: how far from its middle it goes sideways and to the back
 ROUND = 1.3  # of its radius: how far it goes to the front, at least
 HIP = 0.8  # of its radius above the crotch
+OFF_AXIS = 0.02  # training units, at least
 KNEED = 2.4  # radii: a leg as long as this has a knee
 
 
 @dataclass(frozen=True)
 class Legs:
-    """The right and the left leg, each the other's mirror; training units."""
+    """The right and the left leg, each the other's mirror; training units, x from the axis on."""
 
     box: Float[Tensor, "2 3"]  # around the left one, from the middle between the two
     middle: Float[Tensor, " 2"]  # of the left one, x and y
     radius: float
     crotch: float  # z
     square: bool = False  # as a robot's are
+    axis: float = 0.0  # x of the middle between them: who waves is not in the middle of their box
 
     @property
     def half(self) -> float:
@@ -76,7 +78,8 @@ def legs_of(body: Body, parts: KnownParts) -> Legs | None:
     if noun not in HANDED or noun in NO_FIGURES:
         return None
     kept = [k for k, name in enumerate(looks(noun)) if name not in HANGING]
-    sides = _Sides(body, lambda points: parts.distances(points)[:, kept].amin(1))
+    by = torch.tensor([_axis(body), 0.0, 0.0])
+    sides = _Sides(body, lambda points: parts.distances(points + by)[:, kept].amin(1))
     levels = sides.legs()
     low, height = float(body.box[0, 2]), float(body.sides[2])
     if not levels:
@@ -93,10 +96,19 @@ def legs_of(body: Body, parts: KnownParts) -> Legs | None:
     front = min(*front, y - ROUND * radius) - MARGIN
     wide, back = (min(max(far), at + THICK * radius) + MARGIN for far, at in ((wide, x), (back, y)))
     corners = [[0.0, front, low - MARGIN], [wide, back, crotch]]
-    core = torch.tensor([[x, y, (crotch + low) / 2]])
+    core = torch.tensor([[x, y, (crotch + low) / 2]]) + by
     part = int(parts.distances(core)[0, : len(parts.forms.flat)].argmin())
     square = parts.forms.faces(part).block
-    return Legs(torch.tensor(corners), torch.tensor([x, y]), radius, crotch, square)
+    axis = float(by[0])
+    return Legs(torch.tensor(corners), torch.tensor([x, y]), radius, crotch, square, axis)
+
+
+def _axis(body: Body) -> float:
+    """The middle between the feet; 0 where that is about the body's own."""
+    feet = body.without(*HANGING)
+    feet = feet[feet[:, 2] < body.box[0, 2] + FIRST * body.sides[2], 0]
+    middle = float(feet.amin() + feet.amax()) / 2
+    return middle if abs(middle) > OFF_AXIS else 0.0
 
 
 class _Sides:

@@ -12,6 +12,7 @@ from torch import Tensor
 
 from core.geometry.assembly import NEAR, KnownParts
 from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.composition.holding import HANDED
 from core.guidance.builtin.composition.placement import EYES, Body
 from core.guidance.builtin.composition.wearing import NO_HEAD, Head, head_of, neck_of
 from core.guidance.builtin.palette import looks
@@ -66,6 +67,7 @@ class Measurements:
     wide: float  # half of the trunk's width, of who stands without arms
     reach: float  # |x|, where the hands begin of who holds them out
     sleeve: float  # z, where sleeves end: an animal's, and of arms that hang
+    raised: float  # z, up to which they go beside the head, of arms that are raised
 
     @classmethod
     def of(cls, body: Body, parts: KnownParts) -> "Measurements":
@@ -117,6 +119,7 @@ class Measurements:
             wide=wide or reach,
             reach=reach,
             sleeve=low if sleeve is None else sleeve,
+            raised=head.eyes if body.words.noun in HANDED else top,
         )
 
     @classmethod
@@ -158,6 +161,7 @@ class Measurements:
             wide=wide,
             reach=wide,
             sleeve=low + SLEEVE * (crotch - low),
+            raised=low,
         )
 
     def below_neck(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:

@@ -38,6 +38,12 @@ class Bone:
     place: Placement
     within: bool = True
 
+    def moved(self, by: Float[Tensor, " 3"]) -> "Bone":
+        """That of a thing that is farther by so much."""
+        back = by - self.place.turn @ by * self.place.scale
+        regions = tuple(region.moved(by) for region in self.regions)
+        return replace(self, regions=regions, place=self.place.moved(back))
+
     def gap(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """How far points of the rest pose are from what is the bone's, signed."""
         gap = torch.stack([_distance(region, points) for region in self.regions]).amin(0)
@@ -75,6 +81,10 @@ class Pose:
             mine = owner == index
             found[mine] = bone.place.out(points[mine])
         return found
+
+    def moved(self, by: Float[Tensor, " 3"]) -> "Pose":
+        """The same of a thing that is farther by so much."""
+        return Pose(tuple(bone.moved(by) for bone in self.bones))
 
     def body(self, body: Body) -> Body:
         """A drawn thing's."""

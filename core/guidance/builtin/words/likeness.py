@@ -209,7 +209,8 @@ class Likeness(Clauses):
         whole, parts = look_of_kind(found["noun"][0].form)
         known = [look_up(phrase, self.known) for phrase in whole]
         for entry in (one for one in known if one is not None):
-            if not found["material"] if entry.slot == "material" else is_plain:
+            is_open = not found["material"] if entry.slot == "material" else is_plain
+            if is_open:
                 found[entry.slot].append(entry)
         for part, name in parts.items() if is_plain else ():
             color = look_up(name, self.known)

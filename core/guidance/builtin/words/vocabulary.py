@@ -151,16 +151,17 @@ def _side_by_side(
 
 
 def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
-    if noun_needed:
-        prompt = undisguised(prompt)
-    companions, rest = _companions(prompt, known, ignore_unknown) if noun_needed else ([], prompt)
+    if not noun_needed:
+        return _parse_alone(prompt, False, known, ignore_unknown)
+    prompt = undisguised(prompt)
+    companions, rest = _companions(prompt, known, ignore_unknown)
     if companions:
         try:
             words = _parse_alone(rest, True, known, ignore_unknown)
         except UserError:  # what is left is no prompt by itself
-            return _parse_alone(prompt, noun_needed, known, ignore_unknown)
+            return _parse_alone(prompt, True, known, ignore_unknown)
         return _together(words, companions)
-    return _parse_alone(prompt, noun_needed, known, ignore_unknown)
+    return _parse_alone(prompt, True, known, ignore_unknown)
 
 
 def _companions(prompt: str, known: Vocabulary, ignore_unknown: bool) -> tuple[list[Found], str]:
