@@ -92,7 +92,7 @@ def test_another_thing_is_made_with_the_first(prompt, thing, relation, other):
         ("a knight riding a horse holding a spear", ["on horse", "holds spear"]),
         ("a bear on a bicycle while holding a balloon", ["on bicycle", "holds balloon"]),
         ("a cat in a box on a table", ["in cardboard box"]),
-        ("a cat on a chair and a dog", ["on chair"]),
+        ("a cat on a chair and a dog", ["on chair", "beside dog"]),
         ("a dog wearing red boots and a hat", ["wears red boot", "wears hat"]),
         ("a penguin in a tuxedo and a top hat", ["wears black fabric jacket", "wears hat"]),
         ("a bear wearing a hat, a scarf and boots", ["wears hat", "wears scarf"]),
@@ -194,7 +194,7 @@ def test_clothes_are_worn(prompt, first, others):
     [
         ("a cat dressed as a pirate", "cat", ["pirate hat"]),
         ("a dog in a superman costume", "dog", ["red cape"]),
-        ("a frog dressed up as a king on a lily pad", "frog", ["golden crown", "red cape"]),
+        ("a frog dressed up as a king on a lily pad", "frog", ["lily pad", "golden crown"]),
         ("a mouse dressed like a wizard", "mouse", ["blue wizard hat", "blue cape"]),
         ("a penguin in a police uniform", "penguin", ["navy baseball cap", "navy shirt"]),
         ("a pirate", "pirate", []),

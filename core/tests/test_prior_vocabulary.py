@@ -396,7 +396,7 @@ def test_non_latin_words_are_named_too():
         ),
         ("a table made out of xyzzy wood", Words("table", material="wooden")),
         ("a peacock between the blue and emerald pieces", Words("peacock")),
-        ("goblin archer, game character", Words("goblin")),
+        ("goblin shaman, game character", Words("goblin")),
         ("an old train station clock", Words("clock", weather=("worn",))),
         ("a cat shaped like an elephant", Words("cat")),
         ("a headset with pink cat ears and glowing xyzzy", Words("headphones")),

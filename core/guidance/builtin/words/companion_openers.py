@@ -50,6 +50,12 @@ _HOLDING = (
     "brandishing|waving|hugging|lifting|raising|swinging|presenting|offering|armed with|"
     "hold"
 )
+# "A doctor, black coat, holding a lantern".
+_GARMENT = (
+    r"(?=(?:[\w-]+ ){0,3}(?:hat|cap|hood|helmet|crown|coat|jacket|raincoat|hoodie|sweater|shirt|"
+    r"dress|cape|cloak|scarf|armou?r|boots|shoes|sneakers|backpack|glasses|sunglasses|goggles|mask)"
+    r"(?![\w-]))"
+)
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
         "on",
@@ -71,6 +77,7 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     ),
     ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),
     ("wears", r"with ", True),
+    ("wears", rf"(?<=,) (?:and )?{_GARMENT}", True),
 )
 _OPENERS = [
     (relation, re.compile(rf"(?<![\w-]){text}(?=[\w'\"])", re.IGNORECASE), weak)

@@ -77,6 +77,10 @@ NO_PLACES = frozenset(
 THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "street", "field"))
 # What grows on one, and is no thing that is put there.
 GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
+# What a robot with a screen has on itself.
+_FEATURES = frozenset("screen wheel wheels display".split())
+_IN_HAND = 0.25  # times as long as who holds it, at most: a parrot, and no dog
+_FISH = ("fish", "clownfish", "koi")
 PEDESTALS = ("column", "pallet")
 # A building is stood on by what is not lost on it.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
@@ -201,3 +205,14 @@ def is_held(noun: str, verb: str) -> bool:
     if verb in USED:
         return noun in USED[verb]
     return noun not in _NOT_HELD and not is_building(noun)
+
+
+def has_with(first: str, form: str, other: str) -> Relation | None:
+    """What "a girl with a kite", "a boy with a dog" mean: she holds it, it is beside him."""
+    figure = is_creature(first) or first in _ALSO_DRESSED
+    if form in _FEATURES or not figure:
+        return None
+    if other == "saddle":
+        return "bears"
+    large = usual(other)[0] > _IN_HAND * usual(first)[0] and other not in _FISH
+    return "beside" if large and is_creature(other) else "holds"

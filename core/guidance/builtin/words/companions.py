@@ -4,7 +4,7 @@ It is taken out of the prompt before the rest is read. Standard library only.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -74,21 +74,23 @@ _PLACED = re.compile(
     r"(?: of it)?)(?![\w-])",
     re.IGNORECASE,
 )
+_WITH_ONE = re.compile(r"with an? (?:(?!with )[\w'-]+ ?){1,5}$", re.IGNORECASE)
 _TOPPED = re.compile(
     r"(?<![\w-])(?:topped|crowned) (?:off )?(?:with|by) (?P<phrase>an? [^,;.!?()]+)", re.IGNORECASE
 )
 
 
 def companions_in(
-    prompt: str, read: Reader, first_of: Callable[[str], str]
+    prompt: str, read: Reader, first_of: Callable[[str], str], found: Iterable[Found] = ()
 ) -> tuple[list[Found], str]:
     """What goes with the thing, two at most, and the prompt without it.
 
     Args:
         read: reads a phrase about another thing by itself.
         first_of: the thing that a text names first, or "".
+        found: what does already.
     """
-    found: list[Found] = []
+    found = list(found)
     search = _Search(read, first_of)
     for step in (search.placed, search.served, search.filled, search.opened):
         while len(found) < MOST:
@@ -131,7 +133,12 @@ class _Search:
             if one and said.get("within"):
                 one = self._as_filling(one, first)
             if one:
-                return [one], _cut(prompt, match.start(), match.end(), [])
+                # "With a skull and a candle on top": the skull is there too.
+                before = prompt[: match.start()]
+                also = match["lead"].lower() == "and" and _WITH_ONE.search(before)
+                where = prompt[match.end("phrase") : match.end()]
+                left = [where.strip()] if also and not self._has_opener(clause) else []
+                return [one], _cut(prompt, match.start(), match.end(), left)
         return [], prompt
 
     def served(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
@@ -186,7 +193,8 @@ class _Search:
             if any(start <= opener.start < end for _, start, end in drawn):
                 continue
             first = self._first_of(prompt[: opener.start])
-            if not first or (not opener.verb and ends_in_doing(prompt[: opener.start])):
+            surely = opener.verb or (opener.relation == "wears" and not opener.weak)
+            if not first or (not surely and ends_in_doing(prompt[: opener.start])):
                 continue
             taken: list[Found] = []
             kept: list[str] = []
@@ -245,6 +253,11 @@ class _Search:
         if got is None or got.entry.form in known_as.GROWN:
             return None
         other, words = got.words.noun, got.words
+        if weak and relation == "wears" and other not in known_as.WORN:  # "a girl with a kite"
+            meant = known_as.has_with(first, got.entry.form, other)
+            if meant is None:
+                return None
+            relation = meant
         heaped = words.count > 1 and words.order != "row"
         if relation == "in" and words.order == "heap":  # "in a pile of leaves"
             relation = "on"
@@ -271,6 +284,7 @@ class _Search:
                 and known_as.is_held(other, verb)
             ),
             "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
+            "beside": lambda: other != first,
         }
         if relation in ("wears", "holds"):
             words = _alone(words, got.said)

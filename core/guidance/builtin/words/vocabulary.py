@@ -26,6 +26,7 @@ from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name, owns
+from core.guidance.builtin.words.passives import made_active
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
@@ -122,6 +123,7 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
+    prompt = made_active(prompt) if noun_needed else prompt
     if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
         return pair
     try:
@@ -153,8 +155,8 @@ def _side_by_side(
 def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
     if not noun_needed:
         return _parse_alone(prompt, False, known, ignore_unknown)
-    prompt = undisguised(prompt)
-    companions, rest = _companions(prompt, known, ignore_unknown)
+    prompt, costume = undisguised(prompt)
+    companions, rest = _companions(prompt, known, ignore_unknown, costume)
     if companions:
         try:
             words = _parse_alone(rest, True, known, ignore_unknown)
@@ -164,8 +166,11 @@ def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: b
     return _parse_alone(prompt, True, known, ignore_unknown)
 
 
-def _companions(prompt: str, known: Vocabulary, ignore_unknown: bool) -> tuple[list[Found], str]:
-    """What else the prompt wants with the thing, and the prompt without it."""
+def _companions(
+    prompt: str, known: Vocabulary, ignore_unknown: bool, costume: str = ""
+) -> tuple[list[Found], str]:
+    """What else the prompt wants with the thing, and the prompt without it. What a costume has
+    besides comes last."""
 
     @cache
     def read(phrase: str) -> Read | None:
@@ -181,7 +186,12 @@ def _companions(prompt: str, known: Vocabulary, ignore_unknown: bool) -> tuple[l
     def first_of(text: str) -> str:
         return _read(text, known, True).thing
 
-    return companions_in(prompt, read, first_of)
+    found, rest = companions_in(prompt, read, first_of)
+    if costume:
+        worn, _ = companions_in(f"{first_of(rest)} {costume}", read, first_of, found)
+        quiet = {"notes": (), "left_out": ()}  # nobody has said a word of it
+        found += [one._replace(words=replace(one.words, **quiet)) for one in worn[len(found) :]]
+    return found, rest
 
 
 def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:

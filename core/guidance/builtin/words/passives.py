@@ -1,0 +1,34 @@
+"""What is done to a thing, as what does it: "a tractor driven by a pig". Standard library only."""
+
+import re
+
+_ACTIVE = {
+    "driven": "driving",
+    "piloted": "driving",
+    "steered": "driving",
+    "ridden": "riding",
+    "worn": "wearing",
+    "held": "holding",
+    "carried": "holding",
+    "wielded": "holding",
+    "played": "playing",
+    "eaten": "eating",
+    "read": "reading",
+}
+_GUARDED = "guarded|watched|protected"
+_PASSIVE = re.compile(
+    r"(?P<thing>[^,;:.!?]+?) (?:(?:(?:that|which) )?(?:is|are) )?(?:being )?"
+    rf"(?P<done>{'|'.join(_ACTIVE)}|{_GUARDED}) by (?P<who>(?:an?|the|two|three) [^,;:.!?]+)",
+    re.IGNORECASE,
+)
+
+
+def made_active(prompt: str) -> str:
+    """The prompt with who does it first, where it begins so; what is guarded is beside it."""
+    match = _PASSIVE.match(prompt)
+    if match is None:
+        return prompt
+    thing, who = match["thing"].strip(), match["who"].strip()
+    doing = _ACTIVE.get(match["done"].lower())
+    text = f"{who} {doing} {thing}" if doing else f"{thing} next to {who}"
+    return text + prompt[match.end() :]

@@ -1,0 +1,122 @@
+"""Roles: "a penguin chef", "a farmer"; and what "with" and "by" say of who has something."""
+
+import pytest
+
+from core.guidance.builtin.words.costumes import ROLES
+from core.guidance.builtin.words.vocabulary import parse
+
+
+def read(prompt: str) -> tuple[str, list[str]]:
+    """The thing, and each other as "wears red hat"."""
+    words = parse(prompt)
+    return words.noun, [f"{one.relation} {one.words}" for one in words.companions]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "others"),
+    [
+        ("a penguin chef", "penguin", ["wears white beanie", "wears white shirt"]),
+        ("a chef penguin", "penguin", ["wears white beanie", "wears white shirt"]),
+        ("a pirate cat", "cat", ["wears pirate hat"]),
+        ("a cute frog prince", "frog", ["wears golden crown", "wears blue cape"]),
+        ("a robot samurai", "robot", ["wears helmet", "wears chestplate"]),
+        ("a ninja turtle", "turtle", ["wears black scarf", "holds katana"]),
+        ("a dog police officer", "dog", ["wears navy baseball cap", "wears navy shirt"]),
+        ("a warrior princess", "princess", ["wears helmet", "holds sword"]),
+        ("a skeleton pirate with a cutlass", "skeleton", ["holds sword", "wears pirate hat"]),
+        ("a pirate cat on a boat", "cat", ["on boat", "wears pirate hat"]),
+        ("a goblin king holding an axe", "goblin", ["holds axe", "wears golden crown"]),
+        ("a king penguin", "penguin", []),
+        ("a vampire bat", "bat", []),
+        ("a pirate ship", "pirate ship", []),
+        ("a wizard tower", "tower", []),
+        ("a pirate", "pirate", []),
+        ("a chess king", "chess king", []),
+        ("a golden crown for a pirate cat", "crown", []),
+    ],
+)
+def test_who_has_a_role_has_its_costume(prompt, thing, others):
+    assert read(prompt) == (thing, others)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "others"),
+    [
+        ("a farmer", ["wears cowboy hat", "holds rake"]),
+        ("an old fisherman in a boat", ["in boat", "wears yellow fabric jacket"]),
+        ("a lumberjack holding a sword", ["holds sword", "wears red beanie"]),
+        ("a farmer in a red hat", ["wears red hat", "holds rake"]),
+        ("a man", []),
+    ],
+)
+def test_a_person_of_a_trade_has_what_tells_it(prompt, others):
+    assert read(prompt) == ("person", others)
+
+
+def test_what_a_costume_has_is_not_told_of():
+    words = parse("a raccoon detective")
+    assert [one.words.noun for one in words.companions] == ["jacket", "hat"]
+    assert not words.notes and not words.left_out
+
+
+def test_what_is_stated_of_a_costume_is_there_once():
+    words = parse("a pug dressed as a king with a crown and a blue cape")
+    assert [str(one.words) for one in words.companions] == ["crown", "blue cape"]
+    assert not words.left_out
+
+
+@pytest.mark.parametrize("role", sorted(ROLES))
+def test_every_costume_is_of_things_that_are_known(role):
+    worn = parse(f"a bear {ROLES[role]}")
+    wanted = 1 + (" and " in ROLES[role])
+    assert worn.noun == "bear" and len(worn.companions) == wanted
+    assert not worn.left_out
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "others"),
+    [
+        ("a skeleton with a sword", "skeleton", ["holds sword"]),
+        ("a monkey with a banana", "monkey", ["holds banana"]),
+        ("a boy with a rabbit", "person", ["holds rabbit"]),
+        ("a cat with a fish", "cat", ["holds fish"]),
+        ("a man with a dog", "person", ["beside dog"]),
+        ("a horse with a saddle", "horse", ["bears saddle"]),
+        ("a knight with a shield", "knight", []),
+        ("a robot with a screen", "robot", []),
+        ("a pumpkin with a candle", "pumpkin", []),
+        ("a house with a tree", "house", []),
+        ("a mug with a cat", "mug", []),
+        ("a cute cat, blue hat, sitting", "cat", ["wears blue hat"]),
+        ("an elf, leather armor, green cloak", "elf", ["wears leather chestplate",
+                                                       "wears green cape"]),
+        ("a sloth hanging from a lamp wearing headphones", "sloth", ["wears headphones"]),
+        ("a stack of books with a skull and a candle on top", "stack of books",
+         ["bears candle", "bears skull"]),
+        ("a turtle with a house and a tree on its back", "turtle", ["bears tree", "bears house"]),
+    ],
+)  # fmt: skip
+def test_what_with_says_of_who_has_it(prompt, thing, others):
+    assert read(prompt) == (thing, others)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "others"),
+    [
+        ("a tractor driven by a pig", "pig", ["in tractor"]),
+        ("a horse ridden by a skeleton", "skeleton", ["on horse"]),
+        ("a red hat worn by a penguin", "penguin", ["wears red hat"]),
+        ("a violin being played by a frog, cartoon", "frog", ["holds violin"]),
+        ("a treasure chest guarded by a dragon", "chest", ["beside dragon"]),
+        ("a chair made by hand", "chair", []),
+    ],
+)
+def test_what_is_done_by_somebody_is_what_he_does(prompt, thing, others):
+    assert read(prompt) == (thing, others)
+
+
+def test_things_that_are_together_are_taken():
+    assert (parse("two swords crossed together").noun, parse("two boots together").count) == (
+        "sword",
+        2,
+    )
