@@ -17,14 +17,17 @@ from core.prior.things.arms import ARMS
 from core.prior.things.basics import BASICS
 from core.prior.things.beasts import BEASTS
 from core.prior.things.birds_sea import BIRDS_AND_SEA
+from core.prior.things.brood import BROOD
 from core.prior.things.characters import CHARACTERS
 from core.prior.things.chess import CHESS
 from core.prior.things.chests import CHESTS
+from core.prior.things.civic import CIVIC
 from core.prior.things.clothes import CLOTHES
 from core.prior.things.craft import CRAFT
 from core.prior.things.creatures import CREATURES
 from core.prior.things.curios import CURIOS
 from core.prior.things.devices import DEVICES
+from core.prior.things.dinosaurs import DINOSAURS
 from core.prior.things.dwellings import DWELLINGS
 from core.prior.things.equipment import EQUIPMENT
 from core.prior.things.everyday import EVERYDAY
@@ -39,6 +42,7 @@ from core.prior.things.food import FOOD
 from core.prior.things.furnishings import FURNISHINGS
 from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
+from core.prior.things.harbour import HARBOUR
 from core.prior.things.haulage import HAULAGE
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
@@ -46,6 +50,7 @@ from core.prior.things.household import HOUSEHOLD
 from core.prior.things.insects import INSECTS
 from core.prior.things.kitchen import KITCHEN
 from core.prior.things.landmarks import LANDMARKS
+from core.prior.things.larder import LARDER
 from core.prior.things.leisure import LEISURE
 from core.prior.things.machines import MACHINES
 from core.prior.things.market import MARKET
@@ -53,7 +58,9 @@ from core.prior.things.menagerie import MENAGERIE
 from core.prior.things.nature import NATURE
 from core.prior.things.novel import NOVEL
 from core.prior.things.novelties import NOVELTIES
+from core.prior.things.oddities import ODDITIES
 from core.prior.things.office import OFFICE
+from core.prior.things.outfit import OUTFIT
 from core.prior.things.parlour import PARLOUR
 from core.prior.things.pastimes import PASTIMES
 from core.prior.things.people import PEOPLE
@@ -82,11 +89,13 @@ from core.prior.things.tools import TOOLS
 from core.prior.things.transport import TRANSPORT
 from core.prior.things.travel import TRAVEL
 from core.prior.things.treats import TREATS
+from core.prior.things.tribe import TRIBE
 from core.prior.things.utensils import UTENSILS
 from core.prior.things.vehicles_buildings import VEHICLES_BUILDINGS
 from core.prior.things.wild_animals import WILD_ANIMALS
 from core.prior.things.wild_creatures import WILD_CREATURES
 from core.prior.things.wildlife import WILDLIFE
+from core.prior.things.workshop import WORKSHOP
 from core.prior.things.worn import WORN
 from core.prior.things.yard import YARD
 
@@ -203,6 +212,15 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | FARE
     | FOLK
     | MENAGERIE
+    | BROOD
+    | WORKSHOP
+    | TRIBE
+    | OUTFIT
+    | ODDITIES
+    | LARDER
+    | HARBOUR
+    | DINOSAURS
+    | CIVIC
 )
 
 

@@ -149,7 +149,7 @@ def test_words_put_in_the_place_of_fewer_keep_what_follows():
         ("the roof of the house is red", "house", {"part_colours": {"roof": "red"}}),
         ("the eyes of my cat are green", "cat", {"part_colours": {"eyes": "green"}}),
         ("the wheel of a red car", "wheel", {}),
-        ("a boy in jeans", "person", {"part_materials": {"trousers": "denim"}}),
+        ("a man in jeans", "person", {"part_materials": {"trousers": "denim"}}),
         ("chocolate cake with white cream", "cake", {"part_colours": {"icing": "white"}}),
         ("a cream cake", "cake", {}),
         ("a cupcake in pink and cream", "cupcake", {}),

@@ -144,7 +144,7 @@ def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
     [
         ("a couch with red pillows", Words("sofa"), "red pillow"),
         ("a jar of red flowers, blue", Words("jar", color="blue"), "red flower"),
-        ("a yellow robot with a wooden sword", Words("robot", color="yellow"), "wooden sword"),
+        ("a yellow teapot with a wooden sword", Words("teapot", color="yellow"), "wooden sword"),
         ("table with lamp", Words("table"), "lamp"),
     ],
 )

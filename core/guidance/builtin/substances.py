@@ -61,8 +61,11 @@ CLASS_OF = {form: name for name, forms in _CLASS_OF.items() for form in forms.sp
 BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 # A part of one thing.
 OF_A_THING = {
-    "bark": "acorn cap, sloth branch, fireplace logs",
-    "bone": "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones, werewolf claws",
+    "bark": "chameleon branch, acorn cap, sloth branch, fireplace logs",
+    "bone": (
+        "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones, werewolf claws, "
+        "velociraptor claws, brachiosaurus nails, mammoth nails"
+    ),
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": (
         "shelf vase, toilet seat, cake plate, pancakes plate, crown pearls, bonsai tray, mug "
@@ -73,7 +76,7 @@ OF_A_THING = {
         "dragonfly stripes, toucan tip"
     ),
     "brick": "brick block brick, brick block holes",
-    "clay": "snowman buttons, greenhouse pots",
+    "clay": "hut walls, snowman buttons, greenhouse pots",
     "cream": (
         "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man eyes, "
         "gingerbread man bow, donut sprinkles, donut strands, donut drops, snow globe snow, snow "
@@ -81,16 +84,16 @@ OF_A_THING = {
     ),
     "crumb": "notice board cork",
     "crust": (
-        "croissant folds, burrito toast, fried egg edge, roast chicken meat, roast chicken "
-        "drumsticks"
+        "croissant folds, muffin top, burrito toast, fried egg edge, roast chicken meat, roast "
+        "chicken drumsticks"
     ),
-    "eye": "fish whites",
+    "eye": "fish whites, pufferfish whites, cyclops whites, cyclops iris",
     "fabric": (
         "glove band, jeep seats, baseball cap badge, hot air balloon balloon, paper lantern tassels"
     ),
     "feathers": (
-        "peacock eyes, angel wings, feather vane, feather tip, griffin wings, birdcage bird, "
-        "pegasus wings"
+        "rooster neck, peacock eyes, angel wings, feather vane, feather tip, griffin wings, "
+        "birdcage bird, pegasus wings"
     ),
     "felt": "cowboy hat, dartboard reds, dartboard greens, elf shoes, snowman hat",
     "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
@@ -98,13 +101,13 @@ OF_A_THING = {
         "kiwi middle, grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem"
     ),
     "foliage": (
-        "tree leaves, oak tree leaves, bush leaves, bonsai leaves, treehouse leaves, christmas "
-        "tree leaves"
+        "willow tree leaves, willow tree strands, tree leaves, oak tree leaves, bush leaves, "
+        "bonsai leaves, treehouse leaves, christmas tree leaves"
     ),
     "fur": (
-        "raccoon mask, viking fur, griffin body, griffin tuft, minotaur fur, sloth marks, tiger "
-        "stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf fur, "
-        "werewolf muzzle, otter feet"
+        "monster fur, monster paws, raccoon mask, viking fur, griffin body, griffin tuft, minotaur"
+        " fur, sloth marks, tiger stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf "
+        "fur, werewolf muzzle, otter feet"
     ),
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
@@ -113,10 +116,11 @@ OF_A_THING = {
     "hair": "paintbrush bristles",
     "hide": (
         "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
-        "wings, dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, "
-        "beaver lines, bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
+        "wings, goose feet, rooster legs, pterodactyl wings, pterodactyl crest, mammoth ears, "
+        "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines,"
+        " bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
     ),
-    "leaf": "palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
+    "leaf": "chili pepper cap, palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
@@ -133,27 +137,28 @@ OF_A_THING = {
         "tank wheels"
     ),
     "paint": (
-        "fence pickets, mailbox flag, tower windows, castle windows, pencil body, knight shield, "
-        "mask paint, mask mouth, shield plate, train frame, kettlebell badge, rocket nose, space "
-        "shuttle nose, carousel trim"
+        "sarcophagus eyes, fence pickets, mailbox flag, tower windows, castle windows, pencil "
+        "body, knight shield, mask paint, mask mouth, shield plate, train frame, kettlebell badge,"
+        " rocket nose, space shuttle nose, carousel trim"
     ),
     "paper": (
-        "dynamite sticks, dynamite ends, garlic neck, watch face, clock face, grandfather clock "
-        "face, compass dial, picture frame hills, picture frame sun, paper cup badge, popcorn "
-        "badge, cupcake cup, popcorn box, easel hills, easel sun, milk carton top, chocolate bar "
-        "wrapper, paper cup sleeve, clipboard lines, clipboard boxes, notice board notes, notice "
-        "board cards, atm notes, alarm clock face, pocket watch face, gift box, envelope flap, "
-        "popcorn stripes, target board, target blacks, target blues, target reds, target golds"
+        "notebook cover, notebook pages, engine filter, muffin cup, dynamite sticks, dynamite "
+        "ends, garlic neck, watch face, clock face, grandfather clock face, compass dial, picture "
+        "frame hills, picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box,"
+        " easel hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, "
+        "clipboard lines, clipboard boxes, notice board notes, notice board cards, atm notes, "
+        "alarm clock face, pocket watch face, gift box, envelope flap, popcorn stripes, target "
+        "board, target blacks, target blues, target reds, target golds"
     ),
     "peel": (
-        "kiwi skin, snowman nose, avocado skin, mushroom cap, roast chicken tomatoes, wreath "
-        "berries, jack-o-lantern body, mushroom house cap, mushroom house dots, cucumber stripes, "
-        "watermelon stripes, hamster seed"
+        "kiwi skin, muffin berries, snowman nose, avocado skin, mushroom cap, roast chicken "
+        "tomatoes, wreath berries, jack-o-lantern body, mushroom house cap, mushroom house dots, "
+        "cucumber stripes, watermelon stripes, hamster seed"
     ),
     "petal": "fairy wings",
     "plain": (
-        "guitar hole, ukulele hole, violin holes, pencil lead, birdhouse hole, grater holes, "
-        "grater slits, flute hole, harmonica holes"
+        "hut windows, pen hole, guitar hole, ukulele hole, violin holes, pencil lead, birdhouse "
+        "hole, grater holes, grater slits, flute hole, harmonica holes"
     ),
     "plastic": (
         "duck body, duck wings, duck bill, toothbrush grip, vacuum cleaner grip, security camera "
@@ -168,14 +173,17 @@ OF_A_THING = {
         "pistol grip, boxing glove band, camera grip, binoculars rims, traffic cone body, "
         "saxophone mouthpiece"
     ),
-    "scales": "lizard feet",
+    "scales": "lizard feet, chameleon eyes, chameleon stripes, velociraptor stripes",
     "skin": (
-        "monkey face, demon mouth, zombie mouth, person mouth, yeti face, mouse tail, mouse ears, "
-        "bat ears, minotaur body, caterpillar feet, mouse feet, hedgehog feet, "
-        "hamster feet"
+        "turkey head, turkey wattle, troll nose, monkey face, demon mouth, zombie mouth, person "
+        "mouth, yeti face, mouse tail, mouse ears, bat ears, minotaur body, caterpillar feet, "
+        "mouse feet, hedgehog feet, hamster feet"
     ),
     "soil": "dump truck load",
-    "wet skin": "mimic mouth, slime mouth, brain folds, yeti mouth, brain stem",
+    "wet skin": (
+        "cyclops mouth, monster mouth, axolotl mouth, axolotl cheeks, mimic mouth, slime mouth, "
+        "brain folds, yeti mouth, brain stem"
+    ),
     "wicker": "crossbow string, bow string, barn hay, hay bale stalks, beehive knob",
     "wooden": (
         "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
@@ -236,7 +244,7 @@ OF_THE_REST = {
     "bone": "skeleton, seashell, bone",
     "cast iron": "dumbbell, kettlebell",
     "ceramic": "bathtub, sink, toilet, bowl, mug, teapot, plate, salt shaker",
-    "chitin": "ant, ladybug, scorpion, crab, dragonfly, lobster",
+    "chitin": "beetle, ant, ladybug, scorpion, crab, dragonfly, lobster",
     "clay": "vase, flower pot, planet",
     "cream": (
         "ice cream, sundae, cheese, chocolate bar, lollipop, candy cane, popsicle, snowman, "
@@ -249,11 +257,11 @@ OF_THE_REST = {
     ),
     "fabric": "armchair, rug, parachute",
     "feathers": (
-        "bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, parrot, eagle, "
-        "phoenix, toucan"
+        "goose, turkey, rooster, bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, "
+        "parrot, eagle, phoenix, toucan"
     ),
     "felt": "bee, spider, butterfly, wizard hat, sheep, ghost, hat",
-    "flesh": "steak, chicken drumstick, hot dog",
+    "flesh": "steak, bacon, chicken drumstick, hot dog",
     "hide": "pig, elephant, rhino, hippo, turtle, starfish, walrus",
     "leaf": "corn, leaf",
     "leather": "suitcase, handbag, boot",
@@ -263,18 +271,21 @@ OF_THE_REST = {
         "paper lantern"
     ),
     "peel": (
-        "apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, tomato, orange "
-        "fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, coconut, "
-        "pineapple, watermelon slice"
+        "chili pepper, apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, "
+        "tomato, orange fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, "
+        "coconut, pineapple, watermelon slice"
     ),
     "plastic": "ball, balloon, torus",
     "scales": (
-        "fish, snake, crocodile, lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, "
-        "mermaid"
+        "pufferfish, chameleon, velociraptor, pterodactyl, brachiosaurus, fish, snake, crocodile, "
+        "lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, mermaid"
     ),
     "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
     "soil": "volcano, mountain, igloo, sandcastle",
-    "wet skin": "frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, alien",
+    "wet skin": (
+        "orca, axolotl, frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, "
+        "alien"
+    ),
     "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",
 }
@@ -323,13 +334,13 @@ CLEAR = {
 GLOW = {
     1.0: "lightsaber blade, sun disc, sun glints",
     0.6: (
-        "brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern "
-        "mouth, computer tower lights"
+        "ray gun tip, brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, "
+        "jack-o-lantern mouth, computer tower lights"
     ),
     0.4: (
-        "light bulb bulb, lantern glass, street lamp lamp, flashlight lens, lighthouse lantern, "
-        "jukebox lights, mech visor, golem eyes, staff crystal, server rack lights, server rack "
-        "lamps, wall sconce bulb, pendant lamp bulb"
+        "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens,"
+        " lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
+        "lights, server rack lamps, wall sconce bulb, pendant lamp bulb"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "

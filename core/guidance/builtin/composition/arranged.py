@@ -55,12 +55,15 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
     found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
     there = first.placed(found[0])
     held_already = False
+    borne = [other for how, other in others if how == "bears"]
     for how, other in others:
         if how == "holds":
             found.append(held(other, there.standing or there, held_already))
             held_already = True
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)
+        elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
+            found.append(upon(other, there.half(other is borne[-1]), alone=False))
         else:
             found.append(_PLACED[how](other, there))
     return found

@@ -33,6 +33,7 @@ WRAP, AT_NECK, SCARF, ASIDE = 0.07, 0.68, 0.25, 0.25
 # A cape: how far it swings out at its foot, training units; by how much wider it is there, and what
 # of a trunk it drapes.
 SWUNG, SPREAD, DRAPED = 0.25, 0.6, 0.45
+FOLDS, FOLD = 9, 0.07  # of a cape: how many, half around; how deep, of its distance
 ANKLE = 0.16  # of a leg's length
 # Training units: a sole's thickness; from where on a shoe goes straight down; its least height.
 SOLE, FOOT, SHORTEST = 0.035, 0.08, 0.14
@@ -228,7 +229,8 @@ def _dog_collar(at: Place) -> Cloth:
 
 def _cape(at: Place) -> Cloth:
     wearer, level = at.wearer, at.level
-    collar = most(at.skin - THICK, at.band(at.below, EDGE, 1.5 * EDGE))
+    around = at.aside - wearer.wide - RIM  # and not up a raised arm
+    collar = most(at.skin - THICK, at.band(at.below, EDGE, 1.5 * EDGE), around)
     clasp = most(collar - EDGE, at.aside - 2 * EDGE)
     if not wearer.stands:  # along its back
         half = wearer.crotch + HEAD_HIGH * (wearer.head.eyes - wearer.crotch)
@@ -239,9 +241,12 @@ def _cape(at: Place) -> Cloth:
     neck, foot = float(wearer.neck[2]), wearer.low + 3 * EDGE
     before = at.points[:, 1] - float(wearer.neck[1])
     share = ((neck - level) / (neck - foot)).clamp(0, 1)
-    behind = at.points[:, 1] - (wearer.back + CLOTH + SWUNG * share)
+    # Around its back, half an ellipse, and farther out and folded towards the hem.
+    deep = wearer.back - float(wearer.neck[1]) + CLOTH + SWUNG * share
     wide = wearer.wide * (1 + SPREAD * share)
-    sheet = most(at.band(behind, half=CLOTH), at.aside - wide, level - neck, foot - level)
+    angle = torch.atan2(at.aside / wide, before / deep)
+    out = torch.hypot(at.aside / wide, before / deep) - 1 - FOLD * share * (FOLDS * angle).cos()
+    sheet = most(at.band(out * deep.minimum(wide), half=CLOTH), -before, level - neck, foot - level)
     shoulders = neck - DRAPED * (neck - wearer.crotch)
     draped = most(at.skin - STIFF, -before, -at.below, shoulders - level)
     return {

@@ -14,6 +14,7 @@ from core.guidance.builtin.words.slots import Words
 
 EYES = ("eyes", "whites", "glasses", "visor")
 NEAR = 0.03  # training units
+LONG = 1.5  # times as long as wide: two stand one behind the other
 # Quarter turns: about the horizontal axes and the vertical.
 Z_TO_BACK = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # -y is in front
 Z_TO_X = torch.tensor([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
@@ -116,6 +117,14 @@ class Body:
     def usual(self) -> float:
         """How long the longest is, in metres."""
         return self.metres * self.longest
+
+    def half(self, high: bool) -> "Body":
+        """Its one half along x, or along y where it is much longer so; the rest is flat there."""
+        axis = int(self.sides[1] > LONG * self.sides[0])
+        middle = float(self.box.mean(0)[axis])
+        verts = self.verts.clone()
+        verts[:, axis] = verts[:, axis].clamp(*((middle, None) if high else (None, middle)))
+        return replace(self, verts=verts)
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of parts of these names."""

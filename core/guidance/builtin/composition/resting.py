@@ -37,6 +37,7 @@ NEIGHBOUR, TOUCHING_SIDES = (0.3, 2.5), 0.02
 WIDEST = 0.7  # of what bears a thing, that it is at most wide
 # Of the other's longest side: the least and the most that one's may be.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
+DECKS = {*GROUPS["Vehicles"], "sled"}  # what is in these is on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
@@ -67,7 +68,7 @@ def within(thing: Body, other: Body) -> Placement:
 
 def around(thing: Body, container: Body) -> Placement:
     """Where the container of ``thing`` is."""
-    if container.words.noun in GROUPS["Vehicles"]:  # on its deck or its seats
+    if container.words.noun in DECKS:  # or its seats
         place = under(thing, container, SEAT)
         return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
     scale = sized(container, thing, *CONTAINER)
@@ -103,8 +104,9 @@ def pierced(thing: Body, other: Body) -> Placement:
     return place.moved(_foot(thing) - spot + deep)
 
 
-def upon(thing: Body, carrier: Body) -> Placement:
-    """Where ``thing`` is that the carrier bears on top of itself, or has in itself."""
+def upon(thing: Body, carrier: Body, alone: bool = True) -> Placement:
+    """Where ``thing`` is that the carrier bears on top of itself, or has in itself; not ``alone``
+    it has to fit between the carrier's nearer sides."""
     if is_stuck(thing, carrier):
         place = Placement.of(sized(thing, carrier, *BORNE), POINT_DOWN)
         borne = thing.placed(place)
@@ -116,7 +118,8 @@ def upon(thing: Body, carrier: Body) -> Placement:
         return around(thing, carrier).inverted()
     turn = _levelled(carrier, thing)
     lying = thing.placed(Placement.of(1.0, turn))
-    wide = WIDEST * carrier.sides[:2].max() / lying.sides[:2].max()
+    room = carrier.sides[:2].max() if alone else carrier.sides[:2].min()
+    wide = WIDEST * room / lying.sides[:2].max()
     if thing.words.noun in LYING:  # a surfboard on a car's roof
         wide = wide / WIDEST
     place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)

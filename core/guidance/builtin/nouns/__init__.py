@@ -6,6 +6,13 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 from core.guidance.builtin.nouns.aircraft import AIRCRAFT
 from core.guidance.builtin.nouns.animals import ANIMALS
 from core.guidance.builtin.nouns.arms import ARMS
+from core.guidance.builtin.nouns.brood import (
+    BROOD,
+    LARDER_FOOD,
+    LARDER_PLANTS,
+    LARDER_VEGETABLES,
+    ODDITIES,
+)
 from core.guidance.builtin.nouns.buildings import BUILDINGS
 from core.guidance.builtin.nouns.characters import CHARACTERS
 from core.guidance.builtin.nouns.clothes import CLOTHES
@@ -39,6 +46,7 @@ from core.guidance.builtin.nouns.folk import FOLK
 from core.guidance.builtin.nouns.food import FOOD
 from core.guidance.builtin.nouns.fruit import FRUIT
 from core.guidance.builtin.nouns.furniture import FURNITURE
+from core.guidance.builtin.nouns.harbour import CIVIC, HARBOUR, HARBOUR_SPACE
 from core.guidance.builtin.nouns.haulage import HAULAGE, ROADSIDE_MARKS
 from core.guidance.builtin.nouns.household import HOUSEHOLD
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
@@ -72,6 +80,14 @@ from core.guidance.builtin.nouns.novelties import (
     NOVELTY_TOYS,
 )
 from core.guidance.builtin.nouns.order import ORDER
+from core.guidance.builtin.nouns.outfit import (
+    OUTFIT_ARMS,
+    OUTFIT_PROPS,
+    OUTFIT_SPORT,
+    WORKSHOP_DEVICES,
+    WORKSHOP_FURNITURE,
+    WORKSHOP_SMALL,
+)
 from core.guidance.builtin.nouns.parlour import PARLOUR_PLANTS, PARLOUR_THINGS
 from core.guidance.builtin.nouns.pastimes import (
     PASTIME_ARMS,
@@ -108,13 +124,14 @@ from core.guidance.builtin.nouns.travel import (
     TRAVEL_PROPS,
     TRAVEL_SMALL,
 )
+from core.guidance.builtin.nouns.tribe import CHILDREN_AND_TROLLS, DINOSAURS, ROOSTERS
 from core.guidance.builtin.nouns.vehicles import VEHICLES
 from core.guidance.builtin.nouns.wild_animals import WILD_ANIMALS
 from core.guidance.builtin.nouns.wildlife import LEGENDS, WILDLIFE
 
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
-    "Furniture": FURNITURE | RESIDENCE_FURNITURE | SHOWPIECE_FURNITURE,
+    "Furniture": FURNITURE | RESIDENCE_FURNITURE | SHOWPIECE_FURNITURE | WORKSHOP_FURNITURE,
     "Household": HOUSEHOLD
     | KITCHEN_WARE
     | PARLOUR_THINGS
@@ -130,7 +147,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | NOVEL_SMALL
     | STUDY_SMALL
     | TRAVEL_SMALL
-    | SUNDRY_SMALL,
+    | SUNDRY_SMALL
+    | WORKSHOP_SMALL,
     "Props": PROPS
     | HARDWARE
     | EQUIPMENT_PROPS
@@ -139,30 +157,63 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | CURIO_PROPS
     | SHOWPIECE_PROPS
     | TRAVEL_PROPS
-    | MARKED_PROPS,
+    | MARKED_PROPS
+    | OUTFIT_PROPS,
     "Flags and Signs": MARKED_FLAGS | MARKED_SIGNS,
-    "Arms and Fantasy": ARMS | SHOTS | EVERYDAY_RELICS | NOVELTY_ARMS | PASTIME_ARMS | SUNDRY_ARMS,
-    "Food": FOOD | EVERYDAY_FOOD | KITCHEN_FOOD | EQUIPMENT_FOOD | MARKED_FOOD | FARE_FOOD,
-    "Fruit and Vegetables": FRUIT | FARE_FRUIT,
-    "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS | FARE_PLANTS,
-    "Characters": CHARACTERS | PEOPLE | LEGENDS | EQUIPMENT_DOLLS | SUNDRY_MONSTERS | FOLK,
-    "Animals": ANIMALS,
+    "Arms and Fantasy": ARMS
+    | SHOTS
+    | EVERYDAY_RELICS
+    | NOVELTY_ARMS
+    | PASTIME_ARMS
+    | SUNDRY_ARMS
+    | OUTFIT_ARMS,
+    "Food": FOOD
+    | EVERYDAY_FOOD
+    | KITCHEN_FOOD
+    | EQUIPMENT_FOOD
+    | MARKED_FOOD
+    | FARE_FOOD
+    | LARDER_FOOD,
+    "Fruit and Vegetables": FRUIT | FARE_FRUIT | LARDER_VEGETABLES,
+    "Plants": PLANTS | EVERYDAY_PLANTS | PARLOUR_PLANTS | FARE_PLANTS | LARDER_PLANTS,
+    "Characters": CHARACTERS
+    | PEOPLE
+    | LEGENDS
+    | EQUIPMENT_DOLLS
+    | SUNDRY_MONSTERS
+    | FOLK
+    | CHILDREN_AND_TROLLS,
+    "Animals": ANIMALS | BROOD | ROOSTERS,
     "Wild Animals": WILD_ANIMALS
     | WILDLIFE
     | NOVELTY_ANIMALS
     | NOVEL_ANIMALS
     | MARKED_ANIMALS
-    | MENAGERIE,
-    "Vehicles": VEHICLES | RIDES | PARTS_OF_CARS | HAULAGE | CURIO_VEHICLES | MARKED_VEHICLES,
-    "Aircraft and Space": AIRCRAFT | STUDY_SPACE | MARKED_SPACE,
+    | MENAGERIE
+    | DINOSAURS
+    | ODDITIES,
+    "Vehicles": VEHICLES
+    | RIDES
+    | PARTS_OF_CARS
+    | HAULAGE
+    | CURIO_VEHICLES
+    | MARKED_VEHICLES
+    | HARBOUR,
+    "Aircraft and Space": AIRCRAFT | STUDY_SPACE | MARKED_SPACE | HARBOUR_SPACE,
     "Buildings": BUILDINGS
     | STREET
     | ROADSIDE
     | EQUIPMENT_BUILDINGS
     | ROADSIDE_MARKS
     | NOVEL_HOMES
-    | RESIDENCE_BUILDINGS,
-    "Electronics": DEVICES | GADGETS | MACHINES | EQUIPMENT_DEVICES | SHOWPIECE_DEVICES,
+    | RESIDENCE_BUILDINGS
+    | CIVIC,
+    "Electronics": DEVICES
+    | GADGETS
+    | MACHINES
+    | EQUIPMENT_DEVICES
+    | SHOWPIECE_DEVICES
+    | WORKSHOP_DEVICES,
     "Clothes": CLOTHES
     | JEWELLERY
     | EVERYDAY_CLOTHES
@@ -171,7 +222,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | CURIO_CLOTHES
     | TRAVEL_CLOTHES
     | MARKED_CLOTHES,
-    "Sport": SPORT | GAMES | PASTIME_SPORT | MARKED_SPORT,
+    "Sport": SPORT | GAMES | PASTIME_SPORT | MARKED_SPORT | OUTFIT_SPORT,
     "Tools and Toys": TOOLS_AND_TOYS | NOVELTY_TOYS | EQUIPMENT_TOOLS,
     "Instruments": INSTRUMENTS | PASTIME_TOOLS | NOVEL_INSTRUMENTS,
 }

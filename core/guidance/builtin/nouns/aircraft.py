@@ -78,8 +78,7 @@ AIRCRAFT = {
         Usual(37.0, STEEL, 0.0028),
     ),
     "satellite": Noun(
-        "space satellite, communications satellite; space probe, space station, sputnik, "
-        "space telescope, hubble",
+        "space satellite, communications satellite; space probe, sputnik, space telescope, hubble",
         {
             "body": "*d8a83c . golden",
             "panels": "+24408c",

@@ -9,8 +9,8 @@ ANIMALS = {
         Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
-        "; goldfish, salmon, trout, tuna, piranha, carp, cod, anglerfish,"
-        " swordfish, lionfish, catfish, pufferfish, angelfish, betta fish, barracuda",
+        "; goldfish, salmon, trout, tuna, piranha, carp, cod, anglerfish, swordfish, lionfish, "
+        "catfish, angelfish, betta fish, barracuda",
         {
             "body": "*ef7d1a",
             "fins": "+f5b03c",
@@ -118,8 +118,7 @@ ANIMALS = {
         Usual(2.2, FLESH, 0.32),
     ),
     "cow": Noun(
-        "holstein, holstein cow, dairy cow; bull, ox, calf, cattle, buffalo, bison, yak, longhorn, "
-        "bullock",
+        "holstein, holstein cow, dairy cow; calf, cattle",
         {
             "body": "*ece8e0",
             "muzzle": "+e0a8a0",
@@ -137,7 +136,7 @@ ANIMALS = {
         Usual(1.2, FLESH, 0.28),
     ),
     "elephant": Noun(
-        "; mammoth, baby elephant",
+        "; baby elephant",
         {"body": "*85868a", "ears": "&95919a", "tusks": "-efe6d0", "eyes": "-111111"},
         Usual(5.0, FLESH, 0.26),
     ),
@@ -153,7 +152,7 @@ ANIMALS = {
         Usual(4.8, FLESH, 0.37),
     ),
     "horse": Noun(
-        "; pony, stallion, mare, foal, donkey, mule, warhorse, racehorse, colt, clydesdale",
+        "; pony, stallion, mare, foal, warhorse, racehorse, colt, clydesdale",
         {"body": "*8a5a34", "mane": "+2e211a", "hooves": "-3a322c", "eyes": "-111111"},
         Usual(2.4, FLESH, 0.6),
     ),
@@ -180,7 +179,7 @@ ANIMALS = {
         Usual(0.6, FLESH, 0.67),
     ),
     "dragon": Noun(
-        "; wyvern, baby dragon, fire dragon, drake, baby drake, hydra, dragonling, pterodactyl",
+        "; wyvern, baby dragon, fire dragon, drake, baby drake, hydra, dragonling",
         {
             "body": "*3f8a3c",
             "belly": "+d9c878",
@@ -192,27 +191,26 @@ ANIMALS = {
         Usual(6.0, FLESH, 0.23),
     ),
     "dinosaur": Noun(
-        "t-rex, t rex, trex, tyrannosaurus, dino; raptor, velociraptor, godzilla, "
-        "allosaurus, tyrannosaurus rex, spinosaurus, iguanodon, theropod",
+        "t-rex, t rex, trex, tyrannosaurus, dino; godzilla, allosaurus, tyrannosaurus rex, "
+        "spinosaurus, iguanodon, theropod",
         {"body": "*6a8a3a", "belly": "+cfc48a", "teeth": "-f0ead8", "eyes": "-16140f"},
         Usual(12.0, FLESH, 0.11),
     ),
     "person": Noun(
-        "human, man, woman; boy, girl, child, children, kid, baby, guy, lady, character, "
-        "figure, prince, human being, businessman, doctor, nurse, "
-        "teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
-        "detective, worker, construction worker, basketball player, soccer player, "
-        "football player, sailor, student, mannequin, mannikin, "
-        "villager, peasant, archer, bard, cleric, priest, nun, geisha, grandma, grandpa, "
-        "toddler, npc, character model, waiter, scientist, diver, scuba diver, "
-        "merchant, ranger, blacksmith, butler, healer, mechanic, pilot, librarian, engineer, "
-        "bartender, butcher, musician, dj, miner, wrestler, boxer, surfer, skater, alchemist, "
-        "captain, hiker, tourist, mailman, postman, plumber, carpenter, electrician, "
-        "lumberjack, fisherman, gardener, janitor, cashier, barista, judge, lawyer, spy, "
-        "hacker, singer, guitarist, drummer, hunter, bandit, guardian, trader, innkeeper, "
-        "shopkeeper, lighthouse keeper, beekeeper, zookeeper, "
-        "goalkeeper, beggar, bride, groom, swimmer, runner, footballer, cyclist, old "
-        "man, old woman, young man, young woman",
+        "human, man, woman; guy, lady, character, figure, prince, human being, businessman, "
+        "doctor, nurse, teacher, farmer, gladiator, monk, athlete, dancer, ballerina, robber, "
+        "detective, worker, construction worker, basketball player, soccer player, football "
+        "player, sailor, student, mannequin, mannikin, villager, peasant, archer, bard, cleric, "
+        "priest, nun, geisha, grandma, grandpa, npc, character model, waiter, scientist, diver, "
+        "scuba diver, merchant, ranger, blacksmith, butler, healer, mechanic, pilot, librarian, "
+        "engineer, painter, artist, photographer, rockstar, rock star, gamer, explorer, "
+        "adventurer, builder, baseball player, racing driver, plague doctor, dentist, surgeon, "
+        "cheerleader, mom, dad, bartender, butcher, musician, dj, miner, wrestler, boxer, surfer, "
+        "skater, alchemist, captain, hiker, tourist, mailman, postman, plumber, carpenter, "
+        "electrician, lumberjack, fisherman, gardener, janitor, cashier, barista, judge, lawyer, "
+        "spy, hacker, singer, guitarist, drummer, hunter, bandit, guardian, trader, innkeeper, "
+        "shopkeeper, lighthouse keeper, beekeeper, zookeeper, goalkeeper, beggar, bride, groom, "
+        "swimmer, runner, footballer, cyclist, old man, old woman, young man, young woman",
         {
             "shirt": "*c23b34 . fabric",
             "skin": "-e0ac86",
@@ -283,8 +281,7 @@ ANIMALS = {
         Usual(0.8, FLESH, 0.19),
     ),
     "chicken": Noun(
-        "; hen, rooster, cockerel, chick, baby chick, turkey, quail, pheasant, partridge, "
-        "chicken bird, seagull chick",
+        "; hen, chick, baby chick, quail, pheasant, partridge, chicken bird, seagull chick",
         {
             "body": "*f0e8d8",
             "wings": "&dccbab",
@@ -297,8 +294,8 @@ ANIMALS = {
         Usual(0.45, FLESH, 0.2),
     ),
     "whale": Noun(
-        "; orca, killer whale, blue whale, humpback, humpback whale, sperm whale, beluga,"
-        " narwhal, blue whales, humpback whales",
+        "; blue whale, humpback, humpback whale, sperm whale, beluga, narwhal, blue whales, "
+        "humpback whales",
         {"body": "*3f6488", "belly": "+dfe6ea", "fins": "&33547a", "eyes": "-111111"},
         Usual(12.0, FLESH, 0.24),
     ),

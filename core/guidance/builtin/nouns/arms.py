@@ -33,8 +33,7 @@ ARMS = {
         Usual(2.1, WOOD, 0.16),
     ),
     "mace": Noun(
-        "maces, spiked mace, morning star, morningstar; flail, spiked club, warhammer, war hammer, "
-        "cudgel",
+        "maces, spiked mace, morning star, morningstar; flail, spiked club, cudgel",
         {
             "head": "*5a5f66 . metal",
             "spikes": "&b4bac2 . metal",
@@ -68,8 +67,8 @@ ARMS = {
         Usual(0.8, WOOD, 0.22),
     ),
     "rifle": Noun(
-        "rifles; sniper rifle, assault rifle, hunting rifle, shotgun, musket, machine gun, "
-        "machinegun, submachine gun, carbine, sniper, ak47, ak 47",
+        "rifles; sniper rifle, assault rifle, hunting rifle, musket, machine gun, machinegun, "
+        "submachine gun, carbine, sniper, ak47, ak 47",
         {
             "barrel": "+33363a . metal",
             "body": "+45484d . metal",
@@ -197,7 +196,7 @@ ARMS = {
         Usual(0.8, FABRIC, 0.5),
     ),
     "coffin": Noun(
-        "coffins, casket; sarcophagus, vampire coffin",
+        "coffins, casket; vampire coffin",
         {
             "body": "*5a3a20 grain",
             "lid": "*6b4424 grain",

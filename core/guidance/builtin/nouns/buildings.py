@@ -4,10 +4,9 @@ from core.guidance.builtin.nouns.noun import SNOW, STEEL, STONE, WOOD, Noun, Usu
 
 BUILDINGS = {
     "house": Noun(
-        "home; shed, mansion, farmhouse, garage, school, dollhouse, doll house, townhouse, "
-        "doghouse, hospital, police station, fire station, kennel, outhouse, building, "
-        "garden shed, bungalow, tiny house, cabin house, chicken coop, coop, hen house, henhouse, "
-        "hutch",
+        "home; shed, farmhouse, garage, dollhouse, doll house, townhouse, doghouse, police "
+        "station, fire station, kennel, outhouse, building, garden shed, bungalow, tiny house, "
+        "cabin house, chicken coop, coop, hen house, henhouse, hutch",
         {
             "walls": "*e6d1a3",
             "roof": "+9e3321",
@@ -18,7 +17,7 @@ BUILDINGS = {
         Usual(8.0, STONE, 0.15),
     ),
     "cottage": Noun(
-        "; hut, shack, gingerbread house, hobbit house, tavern, inn, saloon, chalet, bothy",
+        "; shack, gingerbread house, hobbit house, tavern, inn, saloon, chalet, bothy",
         {
             "walls": "*f0e6d0",
             "roof": "+8a5f2f thatch",
@@ -55,8 +54,7 @@ BUILDINGS = {
         Usual(25.0, STONE, 0.1),
     ),
     "arch": Noun(
-        "archway; gateway, portal, torii, arc de triomphe, torii gate, japanese gate, "
-        "portal gate, moon gate",
+        "archway; gateway, portal, arc de triomphe, portal gate, moon gate",
         {"body": "*cbb894 bricks stone", "cornice": "&e0d2b4 . stone"},
         Usual(4.0, STONE),
     ),

@@ -38,7 +38,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(2.8, STONE, 0.35),
     ),
     "gnome": Noun(
-        "garden gnome, lawn gnome; dwarf, dwarves, tomte",
+        "garden gnome, lawn gnome; tomte",
         {
             "coat": "*2f5fa8",
             "hat": "+c62f2a",
@@ -160,7 +160,7 @@ CHARACTERS: dict[str, Noun] = {
         Usual(8.0, STEEL, 0.1),
     ),
     "yeti": Noun(
-        "abominable snowman; bigfoot, sasquatch, snow monster, furry monster, monster",
+        "abominable snowman; bigfoot, sasquatch, snow monster",
         {
             "fur": "*e8eef4 . fabric",
             "face": "+6f8fb2",

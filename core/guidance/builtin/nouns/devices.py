@@ -59,8 +59,7 @@ DEVICES = {
         Usual(0.2, STEEL, 0.087),
     ),
     "radio": Noun(
-        "transistor radio, portable radio; boombox, walkie talkie, stereo, cd player, "
-        "cassette player, tape recorder, cassette recorder",
+        "transistor radio, portable radio; walkie talkie",
         {
             "body": "*b23a2a",
             "speaker": "+e6dcc3",

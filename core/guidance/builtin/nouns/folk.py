@@ -56,7 +56,7 @@ FOLK = {
         Usual(1.8, FLESH, 0.25),
     ),
     "orc": Noun(
-        "orcs, ork, orks; orc warrior, half orc, orc chief, uruk hai, ogre, troll",
+        "orcs, ork, orks; orc warrior, half orc, orc chief, uruk hai, ogre",
         {
             "skin": "*5f9440",
             "tusks": "-f0e6c8",

@@ -15,7 +15,7 @@ FOOD = {
         Usual(0.18, 600.0, 0.63),
     ),
     "cupcake": Noun(
-        "cup cake; muffin, fairy cake",
+        "cup cake; fairy cake",
         {"icing": "*f3a9c4", "cup": "+8a5a3a", "cherry": "-b8121f"},
         Usual(0.08, 400.0),
     ),
@@ -155,7 +155,7 @@ FOOD = {
     ),
     "steak": Noun(
         "beef steak, beefsteak, t bone steak, meat steak, t bone; meat, raw meat, beef, pork "
-        "chop, cooked meat, grilled steak, ham steak, ham, bacon, lamb chop, ribs",
+        "chop, cooked meat, grilled steak, ham steak, ham, lamb chop, ribs",
         {"fat": "&f0d9bc", "meat": "*a63a2c", "bone": "+f3ead6", "marks": "-4a1a14"},
         Usual(0.25, FLESH, 0.27),
     ),

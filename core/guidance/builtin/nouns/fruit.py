@@ -79,7 +79,7 @@ FRUIT = {
         Usual(0.22, PLANT, 0.57),
     ),
     "pepper": Noun(
-        "bell pepper, paprika, capsicum; chili, chilli, jalapeno",
+        "bell pepper, paprika, capsicum",
         {"body": "*cf1f1a", "stalk": "+4f8a32"},
         Usual(0.12, PLANT, 0.4),
     ),

@@ -78,7 +78,7 @@ FURNITURE = {
         Usual(1.4, WOOD, 0.2),
     ),
     "office chair": Noun(
-        "swivel chair, desk chair, computer chair; gaming chair",
+        "swivel chair, desk chair, computer chair",
         {
             "seat": "*2f3b4a . fabric",
             "back": "*2f3b4a . fabric",

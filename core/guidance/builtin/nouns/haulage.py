@@ -155,9 +155,9 @@ HAULAGE = {
         Usual(11.0, STEEL, 0.005),
     ),
     "cargo ship": Noun(
-        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, "
-        "freight ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
-        "steamboat, battleship, warship, ocean liner, cruise ship, titanic, aircraft carrier",
+        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, freight"
+        " ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
+        "steamboat, battleship, warship, aircraft carrier",
         {
             "hull": "*25436b . paint",
             "keel": "+b02a22 . paint",

@@ -34,9 +34,9 @@ PLANTS = {
         Usual(1.2, PLANT, 0.05),
     ),
     "potted plant": Noun(
-        "house plant, houseplant, plant in a pot, pot plant, plant; fern, aloe, monstera, "
-        "succulent, pot of flowers, aloe vera, ficus, fiddle leaf fig, fig tree, rubber plant, "
-        "snake plant, peace lily, spider plant",
+        "house plant, houseplant, plant in a pot, pot plant, plant; aloe, monstera, succulent, "
+        "pot of flowers, aloe vera, ficus, fiddle leaf fig, fig tree, rubber plant, snake plant, "
+        "peace lily, spider plant",
         {"leaves": "*3c8f3a", "pot": "+b8623b", "soil": "-3c281a"},
         Usual(0.6, PLANT, 0.4),
     ),
@@ -83,9 +83,8 @@ PLANTS = {
     ),
     "oak tree": Noun(
         "deciduous tree, leafy tree, broadleaf tree, apple tree; maple tree, elm, birch tree, "
-        "beech tree, willow, willow tree, cherry tree, cherry blossom tree, blossom tree, "
-        "fruit tree, orange tree, lemon tree, olive tree, weeping willow, autumn tree, "
-        "chestnut tree, magic tree, ash tree, tree of life",
+        "beech tree, cherry tree, cherry blossom tree, blossom tree, fruit tree, orange tree, "
+        "lemon tree, olive tree, autumn tree, chestnut tree, magic tree, ash tree, tree of life",
         {"leaves": "*3f8a2f", "trunk": "+6a4728"},
         Usual(12.0, PLANT, 0.0076),
     ),

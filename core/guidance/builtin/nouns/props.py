@@ -118,9 +118,8 @@ PROPS = {
         Usual(0.6, WOOD, 0.38),
     ),
     "book": Noun(
-        "spellbook, old book; bible, tome, notebook, diary, grimoire, dictionary, novel, "
-        "textbook, necronomicon, notepad, sketchbook, encyclopedia, magazine, newspaper, "
-        "passport, paperback, comic book, calendar, manual",
+        "spellbook, old book; bible, tome, grimoire, dictionary, novel, textbook, necronomicon, "
+        "encyclopedia, magazine, newspaper, passport, paperback, comic book, calendar, manual",
         {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
         Usual(0.26, WOOD, 0.47),
     ),
@@ -190,7 +189,7 @@ PROPS = {
         Usual(2.4, WOOD, 0.056),
     ),
     "fence": Noun(
-        "picket fence; paling, railing, barricade, balustrade, barrier",
+        "picket fence; pig pen, pigpen, paling, railing, barricade, balustrade, barrier",
         {"pickets": "*f0eee6", "rails": "&e0ded4"},
         Usual(1.8, WOOD, 0.3),
     ),
@@ -274,8 +273,7 @@ PROPS = {
         Usual(0.7, PLASTIC, 0.05),
     ),
     "pistol": Noun(
-        "handgun, hand gun; gun, firearm, toy gun, water gun, ray gun, blaster, glock, desert "
-        "eagle, flintlock, raygun, phaser, uzi",
+        "handgun, hand gun; gun, firearm, toy gun, water gun, glock, desert eagle, flintlock, uzi",
         {
             "barrel": "*4a4d52 . metal",
             "frame": "&33363a . metal",

@@ -86,7 +86,7 @@ TOOLS_AND_TOYS = {
         Usual(0.25, WOOD, 0.8),
     ),
     "pencil": Noun(
-        "; crayon, colored pencil, coloured pencil, pen, marker, highlighter, chalk, felt tip",
+        "; crayon, colored pencil, coloured pencil, marker, highlighter, chalk, felt tip",
         {
             "body": "*f2b61c",
             "wood": "-e3bd88",

@@ -6,8 +6,8 @@ GLASS_LOOK, TYRES_LOOK, _LAMPS = "-26323c . glass", "-1c1c1e . rubber", "+f7eec2
 
 VEHICLES = {
     "car": Noun(
-        "automobile; sedan, hatchback, limousine, limo, convertible, station wagon, hearse, "
-        "tesla, bmw, audi, mercedes, volkswagen, mini cooper",
+        "automobile; sedan, hatchback, convertible, station wagon, hearse, tesla, bmw, audi, "
+        "mercedes, volkswagen, mini cooper",
         {
             "body": "*c9211e . paint",
             "windows": "-26323c . glass",
@@ -44,7 +44,7 @@ VEHICLES = {
         Usual(8.0, WOOD, 0.3),
     ),
     "sailboat": Noun(
-        "sailing boat, sail boat, sailboats; yacht, sailing yacht, catamaran, dinghy",
+        "sailing boat, sail boat, sailboats; sailing yacht, catamaran, dinghy",
         {
             "hull": "*b3281f",
             "deck": "-c89a5e . wooden",
@@ -250,7 +250,7 @@ VEHICLES = {
         Usual(0.8, WOOD, 0.29),
     ),
     "sled": Noun(
-        "sledge, toboggan; sleigh, luge, bobsled",
+        "sledge, toboggan; luge, bobsled",
         {"seat": "*a8713a grain", "runners": "+8c5628 grain"},
         Usual(1.1, WOOD, 0.19),
     ),
@@ -317,7 +317,7 @@ VEHICLES = {
     ),
     "camper": Noun(
         "camper van, campervan, motorhome, motor home, mobile home, rv, recreational vehicle, "
-        "camping van, motor caravan; caravan, camper trailer, travel trailer, winnebago",
+        "camping van, motor caravan; winnebago",
         {
             "body": "*f3efe4 . paint",
             "windows": GLASS_LOOK,

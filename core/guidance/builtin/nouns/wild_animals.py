@@ -170,8 +170,8 @@ WILD_ANIMALS = {
         Usual(1.7, FLESH, 0.3),
     ),
     "lizard": Noun(
-        "; gecko, geckos, axolotl, iguana, chameleon, salamander, newt, skink, komodo dragon, "
-        "monitor lizard, bearded dragon",
+        "; gecko, geckos, iguana, salamander, newt, skink, komodo dragon, monitor lizard, bearded"
+        " dragon",
         {
             "body": "*58a83a",
             "belly": "+e9e08e",
@@ -206,7 +206,7 @@ WILD_ANIMALS = {
         Usual(0.02, FLESH, 0.2),
     ),
     "ladybug": Noun(
-        "lady bug, ladybird, lady bird, ladybird beetle; beetle, bug, scarab",
+        "lady bug, ladybird, lady bird, ladybird beetle",
         {
             "shell": "*d3231e",
             "patches": "+1a1618",
@@ -251,7 +251,7 @@ WILD_ANIMALS = {
         Usual(1.5, FLESH, 0.02),
     ),
     "swan": Noun(
-        "; goose, geese, cygnet, gosling, canada goose",
+        "; cygnet",
         {
             "body": "*f4f3ef",
             "wings": "&e2e4e6",

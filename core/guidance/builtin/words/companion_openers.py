@@ -22,7 +22,7 @@ class Opener(NamedTuple):
     start: int
     end: int
     verb: str = ""
-    weak: bool = False  # "with" and "in" say it of what is worn alone
+    weak: bool = False  # "with" and "in" also begin what is no other thing
 
 
 _BEING = r"(?:(?:who|that|which) )?(?:(?:is|are|was|were) )?"
@@ -43,12 +43,13 @@ _DOING = (
 _NOT_IT = (
     r"(?!(?:it|them|itself|top|each|both|one side|all|fire|wheels|display|sale)\b|(?:the|its|his|"
     r"her|their|each|one) (?:\w+ )?(?:sides?|front|back|top|bottom|lid|inside|outside|ends?|"
-    r"corners?|face|hind legs|left|right|cover|label|rim|head|handle|body|surface|edges?)\b)"
+    r"corners?|face|chest|neck|antlers|hind legs|left|right|cover|label|rim|head|handle|body|"
+    r"surface|edges?)\b)"
 )
 _HOLDING = (
     "holding|holds|carrying|carries|wielding|wields|clutching|clutches|gripping|grasping|grabbing|"
-    "brandishing|waving|hugging|lifting|raising|swinging|presenting|offering|armed with|"
-    "hold"
+    "brandishing|waving(?! (?:at|from|to|goodbye|hello|with|in|on) )|hugging|lifting|raising|"
+    "swinging|presenting|offering|armed with|hold"
 )
 # "A doctor, black coat, holding a lantern".
 _GARMENT = (
@@ -59,7 +60,7 @@ _GARMENT = (
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
         "on",
-        rf"{_BEING}(?P<verb>riding|rides|driving|drives)(?: around)?"
+        rf"{_BEING}(?P<verb>riding|rides?|driving|drives?)(?: around)?"
         r"(?: (?:on top of|on|in|atop))? ",
         False,
     ),
@@ -71,7 +72,7 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     ("wears", rf"{_BEING}(?:wearing|wears|donning|sporting|dressed in|wear) ", False),
     (
         "holds",
-        rf"{_BEING}(?P<verb>{_HOLDING}|playing(?: on| with)?|plays|eating|biting|licking|"
+        rf"{_BEING}(?P<verb>{_HOLDING}|playing(?: on| with)?|plays?|eating|eats?|biting|licking|"
         r"munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|sipping(?: from)?|reading|reads) ",
         False,
     ),
@@ -119,6 +120,14 @@ def ends_in_doing(text: str) -> bool:
     """Whether it ends in what the thing does: "reading news" on a phone."""
     words = re.split(r"[,;.!?]", text)[-1].split()
     return any(map(is_doing, words[max(name_in(words)[1], 0) :]))
+
+
+def ends_in_name(text: str, noun: str) -> bool:
+    """Whether a text ends with the noun's name, or with what it is of: a "sword made of ice", and
+    no "star pattern"."""
+    words = [match[0].lower() for match in TOKEN.finditer(text)]
+    name, end = name_in(words)
+    return name == noun and (end == len(words) or words[end] in ("of", "made"))
 
 
 def openers_in(prompt: str) -> list[Opener]:

@@ -24,6 +24,7 @@ VERBS = {"wears": "wearing", "holds": "holding", "in": "in"}
 ARTICLES = frozenset("a an the some his her its their my your".split())
 SAYS_LITTLE = FILLER | IGNORED_ADJECTIVES | {"very"}
 _STOP = re.compile(r"[,;:.!?()]")
+_ARTICLE = re.compile(r"(?:an?|the) ", re.IGNORECASE)
 _DECIMAL = re.compile(r"\d\.\d")
 _LIST = re.compile(r"(?: and|, and|,) ", re.IGNORECASE)
 _AND = ("and", "while", "plus")
@@ -46,7 +47,8 @@ def items(
         comma = listed[0].startswith(",")
         if not noun or (comma and opener.relation == "holds"):
             return
-        if noun not in known_as.WORN and (comma or opener.relation != "holds"):
+        also = opener.relation == "holds" or (opener.weak and _ARTICLE.match(prompt, listed.end()))
+        if noun not in known_as.WORN and (comma or not also):
             return
         begin = listed.end()
 

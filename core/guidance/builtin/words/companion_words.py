@@ -7,7 +7,7 @@ import re
 
 from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.words.companion_openers import Relation
-from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.words.part_names import owns
 from core.guidance.builtin.words.sizes import usual
 
@@ -17,7 +17,7 @@ HEADWEAR = frozenset(
 EYEWEAR = frozenset(("sunglasses", "goggles", "vr headset"))
 FACES = frozenset(("gas mask", "mask"))  # over them
 AROUND_NECKS = frozenset(("bow tie", "necktie", "medal", "necklace"))
-ON_BACKS = frozenset(("backpack", "jetpack"))
+ON_BACKS = frozenset(("backpack", "jetpack", "quiver"))
 # They are cut to who wears them.
 CLOTHING = frozenset(
     "jacket shirt dress trousers belt chestplate boot sneaker sandal sock scarf cape".split()
@@ -26,10 +26,11 @@ WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headp
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(
     (
-        "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
-        "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, longship, "
-        "wagon, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf cart, race car, tractor, "
-        "raft, sled, barrel, trash can, crib, pan, toilet, plate, dumpster"
+        "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug,"
+        " teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
+        "longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf"
+        " cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, plate, "
+        "dumpster"
     ).split(", ")
 )
 # What is in these with its point, and what has such a point.
@@ -42,7 +43,7 @@ POINTED = frozenset(
 # One sits in them as on a bench.
 SEATS = frozenset(
     """chair armchair throne sofa bed beanbag wheelchair hammock saddle swing""".split()
-) | {"rocking chair", "office chair", "high chair", "bunk bed", "four-poster bed"}
+) | {"rocking chair", "office chair", "gaming chair", "high chair", "bunk bed", "four-poster bed"}
 VESSELS = frozenset("vase bowl bucket mug teacup goblet".split()) | {
     *("flower pot", "cooking pot", "paper cup"),
 }
@@ -52,15 +53,16 @@ BOX = "cardboard box"
 # What is worn, hangs or is slender, so that nothing stands on it.
 _SLENDER = (
     "chain, rope, curtain, clothes hanger, ladder, fence, staff, torch, key, arrow, umbrella, "
-    "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow, "
-    "lightsaber, fork, knife, paintbrush, pencil, screwdriver, fishing rod, oar, golf club, hockey "
-    "stick, baseball bat, tennis racket, whisk, spatula, hairbrush, toothbrush, syringe, screw, "
-    "map pin, wheel, coat rack, umbrella stand, easel, street lamp, traffic light, window, door, "
-    "mirror, picture frame, wall, clock, shield, padlock, wreath, light bulb, coin, balloon, paper "
-    "lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full moon, "
-    "sun, snowflake, target, dartboard, notice board, flute, whistle, christmas bauble, broom, "
-    "rake, lollipop, phone, remote control, wind turbine, satellite, stethoscope, solar panel, "
-    "ring, bus stop, katana, magic wand, handcuffs, bullet, mop, wine glass"
+    "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow,"
+    " lightsaber, fork, knife, paintbrush, pencil, screwdriver, fishing rod, oar, golf club, "
+    "hockey stick, baseball bat, tennis racket, whisk, spatula, hairbrush, toothbrush, syringe, "
+    "screw, map pin, wheel, coat rack, umbrella stand, easel, street lamp, traffic light, window, "
+    "door, mirror, picture frame, wall, clock, shield, padlock, wreath, light bulb, coin, balloon,"
+    " paper lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full "
+    "moon, sun, snowflake, target, dartboard, notice board, flute, whistle, christmas bauble, "
+    "broom, rake, lollipop, phone, remote control, wind turbine, satellite, stethoscope, solar "
+    "panel, ring, bus stop, katana, magic wand, handcuffs, bullet, mop, wine glass, pen, ray gun, "
+    "shotgun, rocket launcher, war hammer, quiver, skis"
 )
 _SLENDER_GROUPS = ("Flags and Signs", "Clothes")
 _STURDY = frozenset("backpack suitcase briefcase handbag boot sneaker helmet".split())
@@ -78,9 +80,16 @@ THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "st
 # What grows on one, and is no thing that is put there.
 GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
 # What a robot with a screen has on itself.
-_FEATURES = frozenset("screen wheel wheels display".split())
-_IN_HAND = 0.25  # times as long as who holds it, at most: a parrot, and no dog
+_FEATURES = frozenset("screen wheel wheels display monocle hand hands".split())
+_IN_HAND = 0.25  # times as long as who holds it, at most: a rabbit, and no dog
 _FISH = ("fish", "clownfish", "koi")
+_NO_FIGURES = frozenset("moai obelisk mask bone tooth eyeball hand brain".split()) | {"totem pole"}
+# What nobody holds.
+_STANDS = (
+    frozenset(GROUPS["Vehicles"])
+    | frozenset(GROUPS["Aircraft and Space"])
+    | frozenset("chest anvil barrel mailbox engine cannon nest bathtub campfire".split())
+)
 PEDESTALS = ("column", "pallet")
 # A building is stood on by what is not lost on it.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
@@ -100,7 +109,7 @@ PICTURED = frozenset(
         "bowl, goblet, skateboard, surfboard, snowboard, vinyl record, scroll, phone, towel, paper "
         "cup, gift, lantern, signpost, stop sign, traffic light, mirror, picture frame, clock, "
         "easel, door, window, wall, milk carton, chocolate bar, map pin, poker chip, toilet paper, "
-        "ring, tombstone"
+        "ring, tombstone, notebook"
     ).split(", ")
 )
 _PICTURED_GROUPS = ("Flags and Signs", "Clothes", "Electronics")
@@ -115,8 +124,8 @@ DRINKS = frozenset(
 ) | {"paper cup", "bubble tea", "milk carton", "drinking horn", "jug", "wine glass"}
 READ = frozenset(("book", "scroll", "envelope", "clipboard"))
 USED = (
-    dict.fromkeys(("playing", "plays"), INSTRUMENTS)
-    | dict.fromkeys(("eating", "biting", "licking", "munching", "nibbling"), EDIBLE)
+    dict.fromkeys(("playing", "plays", "play"), INSTRUMENTS)
+    | dict.fromkeys(("eating", "eats", "eat", "biting", "licking", "munching", "nibbling"), EDIBLE)
     | dict.fromkeys(("drinking", "sipping"), DRINKS)
     | dict.fromkeys(("reading", "reads"), READ)
 )
@@ -190,7 +199,9 @@ def may_wear(first: str, other: str) -> bool:
 def is_put_on(first: str, other: str) -> bool:
     """Whether it is worn over what the first thing has on by nature: a person has a shirt."""
     armour = other == "chestplate" and not {"armour", "plate"}.intersection(NOUNS[first].looks)
-    return armour or (first == "person" and other in ("jacket", "dress", "cape"))
+    own = NOUNS[first].looks
+    shirt = not {"shirt", "dress"}.isdisjoint(own) and is_somebody(first)
+    return armour or (shirt and other in ("jacket", "dress", "cape") and other not in own)
 
 
 def may_bear(other: str, first: str, heaped: bool = False) -> bool:
@@ -208,11 +219,14 @@ def is_held(noun: str, verb: str) -> bool:
 
 
 def has_with(first: str, form: str, other: str) -> Relation | None:
-    """What "a girl with a kite", "a boy with a dog" mean: she holds it, it is beside him."""
-    figure = is_creature(first) or first in _ALSO_DRESSED
-    if form in _FEATURES or not figure:
+    """What "a girl with a kite", "a boy with a dog", "a horse with a saddle" mean: she holds it, it
+    is beside him, it bears it. None: a part, or a pattern."""
+    figure = (is_creature(first) and first not in _NO_FIGURES) or first in _ALSO_DRESSED
+    tied = form == "bow" and not is_somebody(first)  # a ribbon
+    if form in _FEATURES or tied or not figure:
         return None
     if other == "saddle":
         return "bears"
-    large = usual(other)[0] > _IN_HAND * usual(first)[0] and other not in _FISH
-    return "beside" if large and is_creature(other) else "holds"
+    alive = is_animal(other) or is_somebody(other)
+    large = alive and usual(other)[0] > _IN_HAND * usual(first)[0] and other not in _FISH
+    return "beside" if large or other in _STANDS else "holds"

@@ -14,6 +14,7 @@ from core.guidance.builtin.words.companion_openers import (
     Opener,
     Relation,
     ends_in_doing,
+    ends_in_name,
     named_in,
     openers_in,
 )
@@ -28,6 +29,7 @@ from core.guidance.builtin.words.tokens import DOING
 MOST = 2  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
 _PLACING = ("on", "in")  # of which a thing has one
+_HAVING = ("holds", "beside", "bears")
 _DRIVING = ("driving", "drives", "drive")
 
 
@@ -74,7 +76,13 @@ _PLACED = re.compile(
     r"(?: of it)?)(?![\w-])",
     re.IGNORECASE,
 )
-_WITH_ONE = re.compile(r"with an? (?:(?!with )[\w'-]+ ?){1,5}$", re.IGNORECASE)
+_WITH_ONE = re.compile(r"with an? [\w'-]+(?: [\w'-]+){0,4} ?$", re.IGNORECASE)
+# "A deer with a lantern on its antlers" does not hold it.
+_ELSEWHERE = re.compile(
+    r"\s*(?:inside|(?:in|on|around|through|under|inside|from|over) "
+    r"(?:its|his|her|their|the|one|each)\b)",
+    re.IGNORECASE,
+)
 _TOPPED = re.compile(
     r"(?<![\w-])(?:topped|crowned) (?:off )?(?:with|by) (?P<phrase>an? [^,;.!?()]+)", re.IGNORECASE
 )
@@ -88,7 +96,7 @@ def companions_in(
     Args:
         read: reads a phrase about another thing by itself.
         first_of: the thing that a text names first, or "".
-        found: what does already.
+        found: what is known to go with it already; of the two.
     """
     found = list(found)
     search = _Search(read, first_of)
@@ -126,8 +134,7 @@ class _Search:
                 continue
             # "A cat wearing a hat with a flower on top": that is the hat's.
             clause = re.split(r"[,;.!?]", prompt[: match.start()])[-1]
-            loose = not said.get("place") or relation == "bears"
-            if loose and not said.get("place") and self._has_opener(clause):
+            if not said.get("place") and self._has_opener(clause):
                 continue
             one = self._taken(relation, match["phrase"].strip(), first, found)
             if one and said.get("within"):
@@ -203,12 +210,15 @@ class _Search:
                 phrase = prompt[begin:end].strip()
                 both = [*found, *taken]
                 one = self._taken(opener.relation, phrase, first, both, opener.verb, opener.weak)
-                if one and len(both) < MOST:
+                away = one and opener.weak and one.relation in _HAVING
+                if one and len(both) < MOST and not (away and _ELSEWHERE.match(prompt, end)):
                     taken.append(one)
                 else:
                     kept.append(phrase)
             if taken:
-                left = [VERBS[opener.relation], " and ".join(kept)] if kept else []
+                has = opener.weak and opener.relation == "wears"
+                verb = "with" if has else VERBS.get(opener.relation, "")
+                left = [verb, " and ".join(kept)] if kept else []
                 return taken, _cut(prompt, opener.start, end, left, openers)
         return [], prompt
 
@@ -255,7 +265,7 @@ class _Search:
         other, words = got.words.noun, got.words
         if weak and relation == "wears" and other not in known_as.WORN:  # "a girl with a kite"
             meant = known_as.has_with(first, got.entry.form, other)
-            if meant is None:
+            if meant is None or not ends_in_name(phrase, other):
                 return None
             relation = meant
         heaped = words.count > 1 and words.order != "row"

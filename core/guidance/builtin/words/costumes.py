@@ -1,17 +1,7 @@
-"""What somebody has on who is dressed as a pirate, who is a penguin chef or a farmer.
+"""What tells who somebody is: what pirates, chefs and farmers wear or hold.
 
 Standard library only.
 """
-
-import re
-from collections.abc import Iterator
-from typing import NamedTuple
-
-from core.guidance.builtin.words.companion_openers import TOKEN
-from core.guidance.builtin.words.companion_words import is_dressed
-from core.guidance.builtin.words.lexicon import SLOTS, look_up
-from core.guidance.builtin.words.tokens import LONGEST, PERSON
-from core.guidance.builtin.words.words import DEPICTIONS
 
 # What tells a role at sight, by its names.
 _COSTUMES = {
@@ -25,18 +15,22 @@ _COSTUMES = {
     "samurai, viking, gladiator, roman soldier, guard": "wearing a helmet and a chestplate",
     "warrior, soldier": "wearing a helmet and holding a sword",
     "ninja": "wearing a black scarf and holding a katana",
-    "archer, ranger": "wearing a green cape and holding a bow",
+    "archer, ranger": "wearing a quiver and holding a bow",
     "cowboy, cowgirl, sheriff": "wearing a cowboy hat and a brown leather jacket",
     "santa, santa claus, father christmas, christmas": "wearing a red beanie and a red coat",
     "superhero, superman, super hero, supergirl, hero": "wearing a red cape",
     "batman, vampire, dracula": "wearing a black cape",
-    "astronaut, spaceman, cosmonaut": "wearing a white helmet and a jetpack",
-    "firefighter, fireman": "wearing a red helmet and holding an axe",
+    "astronaut, spaceman, cosmonaut": "wearing a white jacket and a jetpack",
+    "firefighter, fireman": "wearing a yellow jacket and holding an axe",
     "police officer, policeman, police, cop": "wearing a navy baseball cap and a navy shirt",
     "doctor, nurse, scientist": "wearing a lab coat",
     "chef, cook, baker": "wearing a white beanie and a white shirt",
     "butcher": "wearing a white shirt and holding a knife",
     "ballerina": "wearing a pink tutu",
+    "cheerleader": "wearing a red dress",
+    "plague doctor": "wearing a black hat and a black cape",
+    "dentist, surgeon": "wearing a lab coat",
+    "racer, racing driver": "wearing goggles and a red jacket",
     "businessman, spy, secret agent, groom, gentleman, james bond, bartender, waiter, butler": (
         "wearing a black suit and a necktie"
     ),
@@ -55,9 +49,9 @@ _COSTUMES = {
     "fisherman": "wearing a yellow coat and holding a fishing rod",
     "lumberjack": "wearing a red beanie and holding an axe",
     "hunter": "wearing a brown jacket and holding a rifle",
-    "miner": "wearing a yellow helmet and holding a pickaxe",
-    "worker, construction worker, builder": "wearing a yellow helmet and holding a hammer",
-    "engineer, electrician": "wearing a yellow helmet and holding a wrench",
+    "miner": "wearing a yellow baseball cap and holding a pickaxe",
+    "worker, construction worker, builder": "wearing a yellow baseball cap and holding a hammer",
+    "engineer, electrician": "wearing a yellow baseball cap and holding a wrench",
     "plumber, mechanic": "wearing a red baseball cap and holding a wrench",
     "carpenter": "holding a saw",
     "blacksmith": "holding a hammer",
@@ -77,76 +71,27 @@ _COSTUMES = {
     "bandit, robber": "wearing a black beanie and holding a sack",
     "healer": "wearing a white dress",
 }
-ROLES = {name: worn for names, worn in _COSTUMES.items() for name in names.split(", ")}
-# Animals that are called so.
-NO_ROLES = frozenset(
-    ("king penguin", "emperor penguin", "king crab", "king cobra", "vampire bat", "hermit crab")
+
+
+def _each(worn: str) -> tuple[str, ...]:
+    """What is worn and what is held, one by one, each with its verb."""
+    verb, _, rest = worn.partition(" ")
+    items = rest.split(" and ")
+    return tuple(one if one.startswith("holding") else f"{verb} {one}" for one in items)
+
+
+ROLES = {name: _each(worn) for names, worn in _COSTUMES.items() for name in names.split(", ")}
+# These are said of a kind of small animal too: a soldier ant, a nurse shark, a queen bee.
+OF_KINDS = frozenset(
+    """soldier worker king queen emperor carpenter pilot archer nurse doctor surgeon vampire sailor
+    captain hunter miner farmer painter""".split()
 )
-DEPICTED = frozenset((*DEPICTIONS, "toy"))  # "a wizard plushie" is a wizard
-_COUNTS = range(LONGEST, 0, -1)
-_NAMED = "|".join(sorted(map(re.escape, ROLES), key=len, reverse=True))
-_DRESSED = re.compile(
-    rf" ?(?:(?:(?:who|that) is )?(?:dressed|disguised) (?:up )?(?:as|like) (?:an? |the )?"
-    rf"(?P<as>{_NAMED})(?![\w-])"
-    rf"|(?:dressed in|wearing|in|with) (?:an? |the )?(?P<in>{_NAMED})(?:'s)? "
-    r"(?:costume|outfit|uniform|suit|clothes)(?![\w-]))",
-    re.IGNORECASE,
+KINDS = frozenset(
+    """ant bee beetle butterfly caterpillar dragonfly ladybug spider scorpion fish clownfish koi
+    pufferfish whale orca shark crab lobster octopus bat penguin snake stingray seahorse""".split()
 )
-
-
-class _Name(NamedTuple):
-    """What one or a few words of a prompt name."""
-
-    text: str
-    noun: str  # "": a role alone, such as "police"
-    start: int
-    end: int
-
-
-def undisguised(prompt: str) -> tuple[str, str]:
-    """The prompt without what says the costume; and what is worn or held, or ""."""
-    if match := _DRESSED.search(prompt):
-        role = (match["as"] or match["in"]).lower()
-        return f"{prompt[: match.start()]}{prompt[match.end() :]}", ROLES[role]
-    names = list(_first_names(prompt))
-    if len(names) == 1 and names[0].noun == PERSON:  # "a farmer"
-        return prompt, ROLES.get(names[0].text, "")
-    if len(names) == 2 and (role := _role_of(*names)):
-        return f"{prompt[: role.start]}{prompt[role.end :]}".rstrip(), ROLES[role.text]
-    return prompt, ""
-
-
-def _role_of(first: _Name, last: _Name) -> _Name | None:
-    """Which of two names is the other's role: "a penguin chef", "a pirate cat"."""
-    if f"{first.text} {last.text}" in NO_ROLES or last.text in DEPICTED:
-        return None
-    # Of two roles the last is who it is: "a warrior princess".
-    order = (first, last) if first.text in ROLES and last.noun else (last, first)
-    for role, other in (order, order[::-1]):
-        if role.text in ROLES and is_dressed(other.noun):
-            return role
-    return None
-
-
-def _first_names(prompt: str) -> Iterator[_Name]:
-    """Those that stand together where the prompt first names anything."""
-    tokens = list(TOKEN.finditer(prompt))
-    at, begun = 0, False
-    while at < len(tokens):
-        name = next(filter(None, (_named(tokens[at : at + k]) for k in _COUNTS)), None)
-        if name is None and begun:
-            return
-        if name:
-            begun = True
-            yield name
-        at += len(name.text.split()) if name else 1
-
-
-def _named(tokens: list[re.Match[str]]) -> _Name | None:
-    if not tokens:
-        return None
-    start, end = tokens[0].start(), tokens[-1].end()
-    text = " ".join(token[0] for token in tokens).lower()
-    entry = look_up(text, SLOTS)
-    noun = entry.word if entry and entry.slot == "noun" else ""
-    return _Name(text, noun, start, end) if noun or text in ROLES else None
+# Who has to do with what is named before: a sushi chef, an apple farmer, a bear hunter.
+MAKERS = frozenset(
+    """farmer hunter gardener merchant trader baker cook chef butcher surgeon fisherman""".split()
+)
+HUNTERS = frozenset(("farmer", "hunter", "trader"))  # of animals; a goblin hunter is a goblin

@@ -11,7 +11,7 @@ LIFELESS = frozenset(
 # What one that is alive may be besides: "a goblin archer" is a goblin.
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
-    soldier cowboy witch queen firefighter""".split()
+    soldier cowboy witch queen firefighter girl boy baby""".split()
 ) | {"police officer"}
 
 

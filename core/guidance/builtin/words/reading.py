@@ -37,7 +37,7 @@ from core.guidance.builtin.words.part_names import (
 )
 from core.guidance.builtin.words.part_tables import LEGS
 from core.guidance.builtin.words.stature import Stature
-from core.guidance.builtin.words.tokens import DOING, describes
+from core.guidance.builtin.words.tokens import DOING, TRADE, describes
 from core.guidance.builtin.words.words import (
     ALONE,
     ARTICLES,
@@ -195,6 +195,8 @@ class Reading(Stature):
             self.got.left_out.append(token)
             self._go_with(token)
             self._of_another = True
+        elif self._is_trade(token, at):
+            self.got.left_out.append(token)
         elif token == "shaped" and self._noun_end == at:
             # "a heart shaped box": as if the two nouns were next to each other.
             self._noun_end += 1
@@ -205,6 +207,11 @@ class Reading(Stature):
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
+
+    def _is_trade(self, token: str, at: int) -> bool:
+        """Whether an unknown word only says what somebody is: "a crocodile podiatrist"."""
+        behind = self._noun_end == at and is_creature(self.got.thing)
+        return behind and TRADE.fullmatch(token) is not None and not corrected(token)
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""

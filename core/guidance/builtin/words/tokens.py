@@ -10,7 +10,8 @@ from core.guidance.builtin.words.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase
-DOING = re.compile("[a-z]{3,}ing")  # what a thing does
+DOING = re.compile("[a-z]{3,}ing|doing|going")  # what a thing does
+TRADE = re.compile("[a-z]{3,}(?:ist|ian|man|woman|eer)")  # who somebody is
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 # What it is like; a catfish is a thing.
 LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural|ly)")
@@ -25,7 +26,8 @@ MADE = (
     "made painted done finished covered coated upholstered dyed wrapped carved built woven knitted "
     "cut cast forged crafted constructed fashioned sewn hewn"
 ).split()
-PERSON = "person"  # "my kids want a robot"
+PERSON = "person"
+ASKING = frozenset(("", PERSON, "boy", "girl", "baby"))  # "my kids want a robot"
 # "Isn't", "does not": a doe is a deer.
 NOT = re.compile(
     r"\b(?:(?:do|does|did|can|will) not|cannot|instead of|rather than|never)\b"
@@ -41,6 +43,9 @@ KEYS = frozenset(
     made""".split()
 )
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
+
+# "My dog is a brown dachshund".
+MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
 
 
 @dataclass
@@ -61,7 +66,7 @@ class Tokens:
         found = cls(known)
         asked = ASKED.match(prompt)
         # "A robot needs a hug" is about a robot.
-        if asked and {"", PERSON}.issuperset(map(found.thing, asked[1].lower().split())):
+        if asked and ASKING.issuperset(map(found.thing, asked[1].lower().split())):
             prompt = prompt[asked.end() :]
         prompt = STATED.sub(found._keyed, prompt)
         plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))

@@ -18,9 +18,9 @@ from typing import Any
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
-from core.guidance.builtin.words.companion_words import CLOTHING
+from core.guidance.builtin.words.companion_openers import is_doing
+from core.guidance.builtin.words.companion_words import CLOTHING, is_dressed
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
-from core.guidance.builtin.words.costumes import undisguised
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
@@ -36,13 +36,23 @@ from core.guidance.builtin.words.prompt_errors import (
     unknown_error,
 )
 from core.guidance.builtin.words.reading import Reading
+from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
+from core.guidance.builtin.words.tokens import MINE
 from core.guidance.builtin.words.words import GLASSWARE, PLAIN, SHAPES, WEATHERS
 
 DENIM_BLUE = "denim blue"
+OF_BODIES = {"shirt", "jacket", "dress", "chestplate"}  # one is worn
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
 AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
+BARE_AND = re.compile(r" and ", re.IGNORECASE)  # "bacon and eggs"
+# "A phone stand shaped like an octopus"
+LOOKS_LIKE = re.compile(
+    r"^\s*(?:an? |the )?(?P<what>[^,;:.]+?) (?:(?:that |which )?looks like|shaped (?:like|as)|"
+    r"in the (?:shape|form) of) (?=(?:an?|the) )",
+    re.IGNORECASE,
+)
 NEXT_TO = re.compile(rf" (?:(?:standing|sitting) )?(?:next to|beside){_ANOTHER}", re.IGNORECASE)
 SUITS = re.compile(r"\b(?:suit|tuxedo)\b", re.IGNORECASE)
 SHAPED = tuple(f": made {shape}." for shape in SHAPES)
@@ -123,14 +133,22 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    prompt = made_active(prompt) if noun_needed else prompt
+    prompt = made_active(MINE.sub("", prompt)) if noun_needed else prompt
     if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
         return pair
     try:
         return _parsed(prompt, noun_needed, known, ignore_unknown)
     except TwoWordsError:
-        if noun_needed and (pair := _side_by_side(AND, prompt, known, ignore_unknown)):
-            return pair
+        for joins in (AND, BARE_AND) if noun_needed else ():
+            if pair := _side_by_side(joins, prompt, known, ignore_unknown):
+                return pair
+        raise
+    except UnknownWordsError:
+        if noun_needed and (match := LOOKS_LIKE.match(prompt)):
+            words = parse(prompt[match.end() :], known=known, ignore_unknown=ignore_unknown)
+            note = f"{match['what']}: left out, as only what it looks like is known."
+            left_out = (*match["what"].split(), *words.left_out)
+            return replace(words, notes=(note, *words.notes), left_out=left_out)
         raise
 
 
@@ -141,22 +159,33 @@ def _side_by_side(
     for joined in joins.finditer(prompt):
         phrase = prompt[joined.end() :]
         try:
-            first = _parsed(prompt[: joined.start()], True, known, ignore_unknown)
+            first = _parsed(prompt[: joined.start()], True, known, ignore_unknown, MOST - 1)
             other = _parsed(phrase, True, known, ignore_unknown)
         except UserError:
             continue
         whole = len(first.companions) < MOST and not other.companions
+        whole &= joins is not BARE_AND or _is_one_name(phrase)
         if whole and first.noun != other.noun:
             pair = _together(first, [Found("beside", phrase, other)])
             return replace(pair, companions=(*first.companions, *pair.companions))
     return None
 
 
-def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
+def _is_one_name(phrase: str) -> bool:
+    """Whether it ends with one thing's name, or with what that does: no "cheese sandwich"."""
+    names = list(first_names(phrase))
+    behind = phrase[names[0].end :].split() if names else []
+    return len(names) == 1 and (not behind or is_doing(behind[0]))
+
+
+def _parsed(
+    prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool, room: int = MOST
+) -> Words:
+    """``room``: of how many companions what only a role has may be."""
     if not noun_needed:
         return _parse_alone(prompt, False, known, ignore_unknown)
     prompt, costume = undisguised(prompt)
-    companions, rest = _companions(prompt, known, ignore_unknown, costume)
+    companions, rest = _companions(prompt, known, ignore_unknown, costume, room)
     if companions:
         try:
             words = _parse_alone(rest, True, known, ignore_unknown)
@@ -167,7 +196,7 @@ def _parsed(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: b
 
 
 def _companions(
-    prompt: str, known: Vocabulary, ignore_unknown: bool, costume: str = ""
+    prompt: str, known: Vocabulary, ignore_unknown: bool, costume: Iterable[str], room: int
 ) -> tuple[list[Found], str]:
     """What else the prompt wants with the thing, and the prompt without it. What a costume has
     besides comes last."""
@@ -187,11 +216,22 @@ def _companions(
         return _read(text, known, True).thing
 
     found, rest = companions_in(prompt, read, first_of)
-    if costume:
-        worn, _ = companions_in(f"{first_of(rest)} {costume}", read, first_of, found)
-        quiet = {"notes": (), "left_out": ()}  # nobody has said a word of it
-        found += [one._replace(words=replace(one.words, **quiet)) for one in worn[len(found) :]]
+    thing = first_of(rest)
+    for one in costume if is_dressed(thing) else ():
+        worn, _ = companions_in(f"{thing} {one}", read, first_of, found)
+        for more in worn[len(found) : room]:
+            if not any(_are_alike(more, other) for other in found):
+                # Nobody has said a word of it.
+                quiet = replace(more.words, notes=(), left_out=())
+                found.append(more._replace(words=quiet))
     return found, rest
+
+
+def _are_alike(one: Found, other: Found) -> bool:
+    """Whether both are in a hand, on a body, or the same."""
+    both = {one.words.noun, other.words.noun}
+    held = one.relation == other.relation == "holds"
+    return held or len(both) == 1 or both <= OF_BODIES
 
 
 def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:

@@ -31,15 +31,15 @@ _OF_THINGS = {  # the things that may be called so
     "kitten cat": "tiger, lion, leopard",
     "bird": (
         "owl, penguin, chicken, parrot, eagle, duck, swan, flamingo, peacock, ostrich, "
-        "rubber duck, phoenix, toucan"
+        "rubber duck, phoenix, toucan, goose, turkey, rooster"
     ),
     "fish": "shark, dolphin, whale, seahorse, stingray, jellyfish, starfish",
-    "insect bug": "ant, bee, butterfly, caterpillar, dragonfly, ladybug, spider, scorpion",
+    "insect bug": "ant, bee, beetle, butterfly, caterpillar, dragonfly, ladybug, spider, scorpion",
     "reptile": "snake, lizard, crocodile, turtle, dinosaur",
     "bear": "panda, koala, teddy bear",
     "monkey ape": "gorilla, monkey",
     "dinosaur dino": "triceratops, stegosaurus, dinosaur",
-    "horse": "unicorn, zebra, rocking horse, centaur, pegasus",
+    "horse": "unicorn, zebra, rocking horse, centaur, pegasus, donkey",
     "car automobile": (
         "taxi, race car, sports car, jeep, van, go-kart, ambulance, golf cart, pickup truck"
     ),
