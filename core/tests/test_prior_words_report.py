@@ -47,7 +47,7 @@ EVERYDAY = {
     "a park bench": ("bench", []),
     "a coffee mug": ("mug", []),
     "a coffee table": ("coffee table", []),
-    "a picnic table": ("table", ["picnic"]),
+    "a picnic table": ("picnic table", []),
     "a tennis ball": ("tennis ball", []),
     "a golf ball": ("golf ball", []),
     "a disco ball": ("disco ball", []),
@@ -368,7 +368,7 @@ def test_the_groups_hold_every_offered_word_once():
     for slot in ("shape", "color", "material", "pattern", "part"):
         assert by_kind[slot] == list(known[slot])
     assert all(group["of"][part] for group in groups if "of" in group for part in group["words"])
-    assert max(len(group["words"]) for group in groups) < 55  # three columns of a menu
+    assert max(len(group["words"]) for group in groups) <= 63  # three columns of 21
 
 
 def test_unknown_words_may_be_ignored_in_a_report():
