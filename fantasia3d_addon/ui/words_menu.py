@@ -11,7 +11,7 @@ from .text import length, wrapped_label
 
 MAX_GROUPS = 32  # menus must exist before the groups are known
 MAX_NOTES = 3
-COLUMN = 18  # words of a group in one column of its menu
+COLUMN = 21  # words of a group in one column of its menu
 
 
 class FANTASIA3D_OT_add_word(bpy.types.Operator):
