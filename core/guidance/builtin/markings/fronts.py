@@ -178,3 +178,11 @@ def edge_spots(points: Points, half: Half, count: int = 6) -> Margin:
     """A poker chip's."""
     turn = torch.atan2(points[:, 2], points[:, 0]) * (count / math.tau)
     return (0.22 - (turn - turn.round()).abs()) * (math.tau / count) * half[0]
+
+
+def eyes(points: Points, half: Half, at: tuple[float, float, float], radius: float) -> Margin:
+    """Two spots on a head: how far aside, ahead and below its top, in training units."""
+    aside, ahead, below = at
+    x, y, z = points.unbind(1)
+    off = torch.stack([x.abs() - aside, y + ahead, half[2] - z - below], 1)
+    return radius - off.norm(dim=1)

@@ -85,6 +85,9 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "puzzle cube": {
         name: Marking("body", partial(balls.stickers, color=k)) for k, name in enumerate(STICKERS)
     },
+    "boy": {"eyes": Marking("skin", partial(fronts.eyes, at=(0.147, 0.3, 0.31), radius=0.075))},
+    "rooster": {"eyes": Marking("neck", partial(fronts.eyes, at=(0.11, 0.2, 0.12), radius=0.06))},
+    "turkey": {"eyes": Marking("head", partial(fronts.eyes, at=(0.12, 0.12, 0.15), radius=0.06))},
     "clock": {
         "face": Marking("body", partial(fronts.disc, radius=0.79)),
         "marks": Marking("face", partial(fronts.hours, radius=0.79)),
