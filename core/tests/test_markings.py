@@ -74,7 +74,7 @@ def test_markings_are_parts_that_lie_on_a_part_with_a_solid(noun):
     assert has_markings(noun) and not has_markings("chair")
 
 
-@pytest.mark.parametrize(("noun", "part"), EACH)
+@pytest.mark.parametrize(("noun", "part"), [each for each in EACH if each[1] != "eyes"])
 def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part):
     cube = torch.cat([on_a_face(axis, side, 60, 0.7) for axis in range(3) for side in (-1, 1)])
     marks = MARKINGS[noun][part].marks
@@ -85,6 +85,19 @@ def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part)
         taps = step * torch.eye(3)
         slope = [(marks(near + tap, half) - marks(near - tap, half)) / (2 * step) for tap in taps]
         assert 0.5 < torch.stack(slope, 1).norm(dim=1).median() < 1.5
+
+
+@pytest.mark.parametrize("noun", ["boy", "rooster", "turkey"])
+def test_eyes_are_on_both_sides_of_a_heads_front(noun):
+    drawn = load_builtin("cpu").prompted(f"a {noun}", "").of_object(1)
+    fields, names = drawn.area_fields(), list(looks(noun))
+    assert drawn.solid and fields
+    points = drawn.solid.mesh[0]
+    head = points[drawn.solid.part(points) == names.index(MARKINGS[noun]["eyes"].on)]
+    seen = points[fields.near(points)[1].argmax(1) == names.index("eyes")]
+    assert (seen[:, 0] > 0.05).sum() > 10 and (seen[:, 0] < -0.05).sum() > 10
+    assert (seen[:, 1] < head[:, 1].mean() + 0.1).all()
+    assert seen[:, 2].mean() > head[:, 2].mean()
 
 
 def test_a_dies_opposite_faces_add_to_seven():
