@@ -16,7 +16,7 @@ def test_every_noun_has_one_group_and_every_material_its_density():
     assert sorted(nouns) == sorted(NOUNS)
     usuals = [noun.usual for noun in NOUNS.values()]
     assert set(DENSITIES) == set(MATERIALS)
-    assert all(0 < u.filled <= 1 and 0.02 <= u.size_m <= 150 for u in usuals)
+    assert all(0 < u.filled <= 1 and 0.02 <= u.size_m <= 300 for u in usuals)
     assert all(100 < density < 20000 for density in DENSITIES.values())
 
 

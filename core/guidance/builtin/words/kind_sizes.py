@@ -102,8 +102,7 @@ _ROWS = {
     "crate": "0.3: ammo box; 0.9: lobster trap, lobster pot",
     "potion": "0.1: vial",
     "staff": "0.92: walking stick, walking cane, cane; 1: sceptre, scepter; 1.3: crutch",
-    "book": "0.125: passport; 0.15: notepad; 0.18: paperback; 0.2: novel, diary; "
-    "0.35: tome, grimoire; 0.38: newspaper",
+    "book": "0.125: passport; 0.18: paperback; 0.2: novel; 0.35: tome, grimoire; 0.38: newspaper",
     "cauldron": "0.2: crucible",
     "cannon": "1.5: mortar; 5: artillery, artillery gun; 6: howitzer",
     "bomb": "0.15: cannonball, cannon ball; 1.2: sea mine, naval mine",
@@ -199,7 +198,7 @@ _ROWS = {
     "elf": "0.7: leprechaun; 1.75: wood elf",
     "griffin": "0.8: baby griffin",
     "doll": "0.18: action figure; 0.2: voodoo doll; 0.29: barbie",
-    "boy": "1: child, children, kid, kids; 1.6: teenager, teen",
+    "boy": "1.6: teenager, teen",
     "girl": "1.6: teenage girl",
     "baby": "0.85: toddler",
     "robot": "1.1: droid; 1.75: android, cyborg, automaton; 1.9: terminator",
@@ -219,7 +218,7 @@ _ROWS = {
     "fox": "0.4: fox cub",
     "bear": "0.8: bear cub",
     "lion": "0.7: lion cub",
-    "cow": "1.2: calf; 3: bison",
+    "cow": "1.2: calf",
     "sheep": "0.6: lamb",
     "elephant": "1.5: baby elephant",
     "horse": "1.3: foal; 1.6: pony; 1.8: colt",
@@ -229,7 +228,7 @@ _ROWS = {
     "dinosaur": "8.5: allosaurus; 100: godzilla",
     "velociraptor": "0.6: baby velociraptor, baby raptor; 3.4: deinonychus; 6: utahraptor",
     "pterodactyl": "0.8: baby pterodactyl; 6: pteranodon; 10: quetzalcoatlus",
-    "brachiosaurus": "4: baby brachiosaurus; 26: diplodocus; 30: argentinosaurus",
+    "brachiosaurus": "4: baby brachiosaurus; 30: argentinosaurus",
     "mammoth": "1.8: baby mammoth, mammoth calf",
     "chameleon": "0.12: baby chameleon",
     "orca": "2.4: baby orca",
@@ -285,7 +284,7 @@ _ROWS = {
     "stingray": "2: eagle ray; 4.5: manta ray, manta",
     "peacock": "0.95: peahen",
     "swan": "0.25: cygnet",
-    "goose": "0.2: gosling; 1: canada goose",
+    "goose": "0.2: gosling",
     "turkey": "0.5: grouse",
     "triceratops": "2: protoceratops, baby triceratops; 5.5: styracosaurus",
     "stegosaurus": "2: baby stegosaurus; 4.5: kentrosaurus",
@@ -341,8 +340,8 @@ _ROWS = {
     # buildings
     "house": "1: dollhouse, doll house; 1.1: kennel, doghouse; 1.3: hutch; "
     "2: chicken coop, coop, hen house, henhouse; 2.2: outhouse; 3: shed, garden shed; "
-    "6: garage, tiny house; 12: farmhouse, bungalow; 25: mansion, police station, "
-    "fire station; 40: school; 60: hospital",
+    "6: garage, tiny house; 12: farmhouse, bungalow; 25: police station, "
+    "fire station",
     "cottage": "0.25: gingerbread house; 4: shack; 10: chalet; 12: tavern, saloon; 15: inn",
     "tower": "8: turret",
     "church": "12: chapel; 40: mosque; 60: abbey, monastery; 80: basilica; 100: cathedral",
