@@ -45,7 +45,7 @@ def test_every_kind_is_read_with_its_size_and_named_once():
         ("a red wooden kennel", "house", 1.1),
         ("two ravens", "bird", 0.63),
         ("a small goldfish", "fish", 0.7 * 0.15),
-        ("a huge orca", "orca", 2 * 7),
+        ("a huge orca", "orca", 2 * 6),
         ("a kraken 3 m tall", "octopus", 3),
         ("a 30 cm long sleigh", "sleigh", 0.3),
         ("a toy aircraft carrier", "cargo ship", TOY_SIZE),
