@@ -6,7 +6,7 @@ _EYES = "-14100e"
 
 BROOD = {
     "goose": Noun(
-        "geese, white goose, farm goose, domestic goose; gander, gosling, canada goose, snow goose",
+        "geese, farm goose, domestic goose; gander, gosling, canada goose, snow goose",
         {
             "body": "*f4f0e8",
             "wings": "&d9d6cc",
@@ -45,7 +45,7 @@ BROOD = {
         Usual(1.0, FLESH, 0.07),
     ),
     "donkey": Noun(
-        "donkeys, burro, grey donkey, gray donkey; mule, mules, baby donkey, foal donkey",
+        "donkeys, burro, gray donkey; mule, mules, baby donkey, foal donkey",
         {
             "body": "*8b8a90",
             "mane": "+38343a",
@@ -94,7 +94,7 @@ ODDITIES = {
         Usual(0.4, FLESH, 0.07),
     ),
     "axolotl": Noun(
-        "axolotls, pink axolotl, mexican axolotl, baby axolotl; mudpuppy",
+        "axolotls, mexican axolotl, baby axolotl; mudpuppy",
         {
             "body": "*f6b4c0",
             "fin": "&f9d3d6",

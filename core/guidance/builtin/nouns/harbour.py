@@ -122,7 +122,7 @@ CIVIC = {
     ),
     "hut": Noun(
         "huts, mud hut, mud huts, straw hut, thatched hut, african hut, round hut, grass hut, "
-        "tribal hut, village hut, clay hut, roundhouse; tiki hut, jungle hut, beach hut, "
+        "tribal hut, village hut, roundhouse; tiki hut, jungle hut, beach hut, "
         "native hut",
         {
             "walls": "*dfae7a",

@@ -59,7 +59,7 @@ OUTFIT_ARMS = {
     ),
     "war hammer": Noun(
         "war hammers, warhammer, warhammers, battle hammer, battlehammer, great hammer, "
-        "greathammer, two-handed hammer, dwarven hammer, stone hammer, giant hammer; thor hammer, "
+        "greathammer, two-handed hammer, dwarven hammer, giant hammer; thor hammer, "
         "thor's hammer, hammer of thor",
         {
             "head": "*8b93a0 . metal",
@@ -73,7 +73,7 @@ OUTFIT_ARMS = {
         Usual(1.2, STEEL, 0.03),
     ),
     "quiver": Noun(
-        "quivers, quiver of arrows, arrow quiver, archer's quiver, archer quiver, leather quiver, "
+        "quivers, quiver of arrows, arrow quiver, archer's quiver, archer quiver, "
         "quiver with arrows, arrows quiver, bundle of arrows",
         {
             "body": "*8a4e26 . leather",
@@ -104,7 +104,7 @@ OUTFIT_SPORT = {
 OUTFIT_PROPS = {
     "sarcophagus": Noun(
         "sarcophaguses, sarcophagi, egyptian sarcophagus, pharaoh sarcophagus, mummy coffin, "
-        "egyptian coffin, pharaoh coffin, mummy case, pharaoh's coffin, golden sarcophagus, "
+        "egyptian coffin, pharaoh coffin, mummy case, pharaoh's coffin, "
         "mummy sarcophagus, egyptian tomb",
         {
             "body": "*e0aa36 . golden",
@@ -119,7 +119,7 @@ OUTFIT_PROPS = {
         Usual(2.1, STONE, 0.3),
     ),
     "tire": Noun(
-        "tires, tyre, tyres, car tire, car tyre, car tires, car tyres, rubber tire, rubber tyre, "
+        "tires, tyre, tyres, car tire, car tyre, car tires, car tyres, "
         "old tire, truck tire, tractor tire, spare tire; spare tyre, racing tire, race tire, "
         "winter tire, truck tyre, tractor tyre, mud tire",
         {
@@ -162,7 +162,7 @@ WORKSHOP_FURNITURE = {
     ),
     "picnic table": Noun(
         "picnic tables, picnic bench, picnic benches, park table, garden table with benches, "
-        "wooden picnic table, table with benches, beer garden table, outdoor table; camping "
+        "table with benches, beer garden table, outdoor table; camping "
         "table, trestle table, beer table",
         {
             "top": "*c58a4c grain",
