@@ -105,8 +105,8 @@ OF_A_THING = {
         "bonsai leaves, treehouse leaves, christmas tree leaves"
     ),
     "fur": (
-        "monster fur, monster paws, raccoon mask, viking fur, griffin body, griffin tuft, minotaur"
-        " fur, sloth marks, tiger stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf "
+        "monster fur, monster paws, raccoon mask, viking fur, griffin body, griffin tuft, minotaur "
+        "fur, sloth marks, tiger stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf "
         "fur, werewolf muzzle, otter feet"
     ),
     "glass": (
@@ -117,8 +117,8 @@ OF_A_THING = {
     "hide": (
         "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
         "wings, goose feet, rooster legs, pterodactyl wings, pterodactyl crest, mammoth ears, "
-        "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines,"
-        " bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
+        "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines, "
+        "bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
     ),
     "leaf": "chili pepper cap, palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
     "leather": (
@@ -138,14 +138,14 @@ OF_A_THING = {
     ),
     "paint": (
         "sarcophagus eyes, fence pickets, mailbox flag, tower windows, castle windows, pencil "
-        "body, knight shield, mask paint, mask mouth, shield plate, train frame, kettlebell badge,"
-        " rocket nose, space shuttle nose, carousel trim"
+        "body, knight shield, mask paint, mask mouth, shield plate, train frame, kettlebell badge, "
+        "rocket nose, space shuttle nose, carousel trim"
     ),
     "paper": (
         "notebook cover, notebook pages, engine filter, muffin cup, dynamite sticks, dynamite "
         "ends, garlic neck, watch face, clock face, grandfather clock face, compass dial, picture "
-        "frame hills, picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box,"
-        " easel hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, "
+        "frame hills, picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, "
+        "easel hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, "
         "clipboard lines, clipboard boxes, notice board notes, notice board cards, atm notes, "
         "alarm clock face, pocket watch face, gift box, envelope flap, popcorn stripes, target "
         "board, target blacks, target blues, target reds, target golds"
@@ -252,8 +252,8 @@ OF_THE_REST = {
     ),
     "crumb": "cake, popcorn",
     "crust": (
-        "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, fries,"
-        " donut, gingerbread man, burrito, cinnamon roll"
+        "bread, croissant, cookie, pie, waffle, pretzel, pizza, taco, pancakes, fries, "
+        "donut, gingerbread man, burrito, cinnamon roll"
     ),
     "fabric": "armchair, rug, parachute",
     "feathers": (
@@ -338,8 +338,8 @@ GLOW = {
         "jack-o-lantern mouth, computer tower lights"
     ),
     0.4: (
-        "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens,"
-        " lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
+        "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens, "
+        "lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
         "lights, server rack lamps, wall sconce bulb, pendant lamp bulb"
     ),
     0.15: (

@@ -67,8 +67,8 @@ FURNITURE = {
         Usual(0.5, STEEL, 0.02),
     ),
     "desk": Noun(
-        "writing desk, office desk, computer desk; workbench, school desk, vanity, vanity"
-        " table, drafting table",
+        "writing desk, office desk, computer desk; workbench, school desk, vanity, vanity "
+        "table, drafting table",
         {
             "top": "*a06a38 grain",
             "body": "*8f5c30 grain",

@@ -155,8 +155,8 @@ HAULAGE = {
         Usual(11.0, STEEL, 0.005),
     ),
     "cargo ship": Noun(
-        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, freight"
-        " ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
+        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, freight "
+        "ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
         "steamboat, battleship, warship, aircraft carrier",
         {
             "hull": "*25436b . paint",

@@ -119,8 +119,8 @@ HARDWARE = {
 PARTS_OF_CARS = {
     "wheel": Noun(
         "car wheel, wheel with tire; truck wheel, cart wheel, wagon wheel, wheel rim, alloy "
-        "wheel, spare wheel, bicycle wheel, bike wheel, tractor wheel, train wheel, monster truck"
-        " wheel",
+        "wheel, spare wheel, bicycle wheel, bike wheel, tractor wheel, train wheel, monster truck "
+        "wheel",
         {
             "tyre": "+1f1f22 . rubber",
             "treads": "+161618 . rubber",

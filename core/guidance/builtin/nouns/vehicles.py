@@ -80,8 +80,8 @@ VEHICLES = {
         Usual(1.75, STEEL, 0.015),
     ),
     "motorcycle": Noun(
-        "motorbike, motor bike, motor cycle; chopper, dirt bike, harley, harley davidson,"
-        " sport bike, superbike, hover bike, hoverbike",
+        "motorbike, motor bike, motor cycle; chopper, dirt bike, harley, harley davidson, "
+        "sport bike, superbike, hover bike, hoverbike",
         {
             "body": "*b3201c . paint",
             "wheels": TYRES_LOOK,

@@ -170,8 +170,8 @@ WILD_ANIMALS = {
         Usual(1.7, FLESH, 0.3),
     ),
     "lizard": Noun(
-        "; gecko, geckos, iguana, salamander, newt, skink, komodo dragon, monitor lizard, bearded"
-        " dragon",
+        "; gecko, geckos, iguana, salamander, newt, skink, komodo dragon, monitor lizard, bearded "
+        "dragon",
         {
             "body": "*58a83a",
             "belly": "+e9e08e",

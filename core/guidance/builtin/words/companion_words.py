@@ -26,10 +26,10 @@ WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headp
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(
     (
-        "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug,"
-        " teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
-        "longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf"
-        " cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, plate, "
+        "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
+        "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
+        "longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf "
+        "cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, plate, "
         "dumpster"
     ).split(", ")
 )
@@ -53,12 +53,12 @@ BOX = "cardboard box"
 # What is worn, hangs or is slender, so that nothing stands on it.
 _SLENDER = (
     "chain, rope, curtain, clothes hanger, ladder, fence, staff, torch, key, arrow, umbrella, "
-    "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow,"
-    " lightsaber, fork, knife, paintbrush, pencil, screwdriver, fishing rod, oar, golf club, "
+    "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow, "
+    "lightsaber, fork, knife, paintbrush, pencil, screwdriver, fishing rod, oar, golf club, "
     "hockey stick, baseball bat, tennis racket, whisk, spatula, hairbrush, toothbrush, syringe, "
     "screw, map pin, wheel, coat rack, umbrella stand, easel, street lamp, traffic light, window, "
-    "door, mirror, picture frame, wall, clock, shield, padlock, wreath, light bulb, coin, balloon,"
-    " paper lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full "
+    "door, mirror, picture frame, wall, clock, shield, padlock, wreath, light bulb, coin, balloon, "
+    "paper lantern, parachute, pendant lamp, chandelier, wall sconce, bell, planet, earth, full "
     "moon, sun, snowflake, target, dartboard, notice board, flute, whistle, christmas bauble, "
     "broom, rake, lollipop, phone, remote control, wind turbine, satellite, stethoscope, solar "
     "panel, ring, bus stop, katana, magic wand, handcuffs, bullet, mop, wine glass, pen, ray gun, "
