@@ -4,7 +4,6 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
-    Vector,
     around,
     ball,
     blend,
@@ -101,7 +100,8 @@ def boy(draw: Draw) -> Parts:
         box((0, -2 - r * 0.5, brim), (2, 2, 1)),
     )
     shoulder = (w * 0.8, 0, f.top - 0.17)
-    elbow: Vector = tuple(a + (b - a) * 0.5 for a, b in zip(shoulder, f.hand, strict=True))
+    x, y, hand = f.hand
+    elbow = ((shoulder[0] + x) / 2, y / 2, (shoulder[2] + hand) / 2)
     chest = f.leg + 0.3
     return {
         "shirt": join(

@@ -131,15 +131,18 @@ def black_keys(points: Points, half: Half, octaves: int = 2) -> Margin:
     return any_of(torch.where((place != 0) & (place != 3), key, -1.0), 0.005 - away)
 
 
-def belt(points: Points, half: Half, low: float, high: float) -> Margin:
-    """A label about a bottle, from height to height, in halves of its own."""
-    middle, wide = (low + high) / 2 * half[2], (high - low) / 2 * half[2]
-    return wide - (points[:, 2] - middle).abs()
+def belt(points: Points, half: Half, low: float, high: float, axis: int = 2) -> Margin:
+    """A label about a bottle, from height to height, in halves of its own; along another axis a
+    stripe."""
+    middle, wide = (low + high) / 2 * half[axis], (high - low) / 2 * half[axis]
+    return wide - (points[:, axis] - middle).abs()
 
 
-def belts(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> Margin:
+def belts(
+    points: Points, half: Half, spans: Sequence[tuple[float, float]], axis: int = 2
+) -> Margin:
     """The same of several."""
-    return any_of(*(belt(points, half, low, high) for low, high in spans))
+    return any_of(*(belt(points, half, low, high, axis) for low, high in spans))
 
 
 def rings(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> Margin:
@@ -180,8 +183,8 @@ def edge_spots(points: Points, half: Half, count: int = 6) -> Margin:
     return (0.22 - (turn - turn.round()).abs()) * (math.tau / count) * half[0]
 
 
-def eyes(points: Points, half: Half, at: tuple[float, float, float], radius: float) -> Margin:
-    """Two spots on a head: how far aside, ahead and below its top, in training units."""
+def spots(points: Points, half: Half, at: tuple[float, float, float], radius: float) -> Margin:
+    """Two on a front, as eyes: how far aside, ahead and below the top, in training units."""
     aside, ahead, below = at
     x, y, z = points.unbind(1)
     off = torch.stack([x.abs() - aside, y + ahead, half[2] - z - below], 1)

@@ -28,6 +28,8 @@ STICKERS = ("reds", "blues", "greens", "whites", "yellows", "oranges")
 EIGHT = (0.25, -1.0, 0.45)  # where a billiard ball's number is
 HOLES = ((-0.1, -0.75, 0.75), (0.14, -0.75, 0.8), (0.03, -0.95, 0.5))  # a bowling ball's
 BOARD_BANDS = ((0.26, 0.42), (0.45, 0.475), (-0.42, -0.26), (-0.475, -0.45))  # a surfboard's
+SARCOPHAGUS_BANDS = ((-0.86, -0.68), (-0.5, -0.34), (-0.16, -0.02))
+AWNING = tuple((k / 3 - 1.15, k / 3 - 0.98) for k in range(7))
 JUG_BANDS = ((-0.5, -0.06), (-0.02, 0.01), (-0.57, -0.54))
 GROOVES = tuple((0.4 + 0.065 * k, 0.43 + 0.065 * k) for k in range(9))  # a record's
 BAUBLE_BAND = partial(fronts.belt, low=-0.17, high=0.17)
@@ -85,9 +87,21 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "puzzle cube": {
         name: Marking("body", partial(balls.stickers, color=k)) for k, name in enumerate(STICKERS)
     },
-    "boy": {"eyes": Marking("skin", partial(fronts.eyes, at=(0.147, 0.3, 0.31), radius=0.075))},
-    "rooster": {"eyes": Marking("neck", partial(fronts.eyes, at=(0.11, 0.2, 0.12), radius=0.06))},
-    "turkey": {"eyes": Marking("head", partial(fronts.eyes, at=(0.12, 0.12, 0.15), radius=0.06))},
+    # A solid has seven parts at most that are drawn; these are the eighth.
+    "boy": {"eyes": Marking("skin", partial(fronts.spots, at=(0.147, 0.3, 0.31), radius=0.075))},
+    "dwarf": {"eyes": Marking("skin", partial(fronts.spots, at=(0.12, 0.2, 0.24), radius=0.075))},
+    "rooster": {"eyes": Marking("neck", partial(fronts.spots, at=(0.11, 0.2, 0.12), radius=0.06))},
+    "turkey": {"eyes": Marking("head", partial(fronts.spots, at=(0.12, 0.12, 0.15), radius=0.06))},
+    "garbage truck": {
+        "lamps": Marking("cab", partial(fronts.spots, at=(0.19, 0.22, 0.36), radius=0.08))
+    },
+    "ray gun": {
+        "window": Marking("body", partial(balls.caps, wide=0.4, ways=((0, -1, 0.1), (0, 1, 0.1))))
+    },
+    "sarcophagus": {
+        "bands": Marking("body", partial(fronts.belts, spans=SARCOPHAGUS_BANDS)),
+    },
+    "trailer": {"stripes": Marking("awning", partial(fronts.belts, spans=AWNING, axis=1))},
     "clock": {
         "face": Marking("body", partial(fronts.disc, radius=0.79)),
         "marks": Marking("face", partial(fronts.hours, radius=0.79)),
