@@ -123,6 +123,7 @@ def test_a_death_on_a_full_disk_is_reported_as_such(tmp_path, monkeypatch):
 def test_a_death_after_its_folder_was_deleted_is_reported_as_such(tmp_path):
     run = start(tmp_path / "run", "long")
     follow(run, until=lambda events: len(events) > 2)
+    os.kill(run.pid, signal.SIGSTOP)  # or it writes a file into the folder that is being deleted
     shutil.rmtree(run.folder)
     run.kill()
     follow(run)

@@ -101,6 +101,20 @@ def test_what_is_in_a_container_stands_out_of_it_and_has_room():
         assert outer.box[0, 2] < upper.box[0, 2] < outer.box[1, 2] < upper.box[1, 2]
 
 
+@pytest.mark.parametrize(("wide", "deep"), [(1.0, 1.0), (0.6, 1.6)])
+def test_two_that_are_borne_stand_side_by_side_or_one_behind_the_other(wide, deep):
+    table = box((-wide / 2, -deep / 2, -0.2), (wide / 2, deep / 2, 0.2), "table")
+    skull, book = (box((-0.2, -0.2, -0.2), (0.2, 0.2, 0.2), noun) for noun in ("skull", "book"))
+    (own,), *places = arranged(table, [("bears", skull), ("bears", book)])
+    below, axis = table.placed(own), int(deep > wide)
+    first, second = (thing.placed(at) for thing, (at,) in zip((skull, book), places, strict=True))
+    assert first.box[1, axis] < second.box[0, axis] + 0.02
+    for thing in (first, second):
+        assert abs(float(thing.box[0, 2] - below.box[1, 2])) < 0.05
+        assert (thing.box[0, :2] > below.box[0, :2]).all()
+        assert (thing.box[1, :2] < below.box[1, :2]).all()
+
+
 def test_what_a_thing_bears_is_on_its_top_and_no_wider():
     turtle = body("a turtle")
     house = body("a house").placed(upon(body("a house"), turtle))

@@ -103,6 +103,9 @@ def test_every_costume_is_of_things_that_are_known(role):
         ("a boy with a skateboard", "boy", ["beside skateboard"]),
         ("a girl with a teddy bear", "girl", ["holds teddy bear"]),
         ("a deer with a lantern on its antlers", "deer", []),
+        ("a dragon with a sword through its chest", "dragon", []),
+        ("a snail with a clock in its shell", "snail", []),
+        ("a cow with a bell around its neck", "cow", []),
         ("a cat with star pattern", "cat", []),
         ("a teddy bear with a blue bow", "teddy bear", []),
         ("an alien waving from a ufo", "alien", []),
@@ -167,7 +170,13 @@ def test_two_without_an_article_are_made_side_by_side():
         parse("a ham and cheese sandwich")
 
 
+def test_a_suit_is_no_robe_besides():
+    assert read("a judge in a suit") == ("person", ["wears black fabric jacket"])
+
+
 def test_what_is_written_is_no_costume():
+    (text,) = parse('a robot with the text "dressed as a king"').emblems
+    assert text.text == "dressed as a king"
     (text,) = parse('a mug that says "dressed as a king"').emblems
     assert text.text == "dressed as a king"
 

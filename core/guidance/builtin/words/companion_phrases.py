@@ -24,7 +24,6 @@ VERBS = {"wears": "wearing", "holds": "holding", "in": "in"}
 ARTICLES = frozenset("a an the some his her its their my your".split())
 SAYS_LITTLE = FILLER | IGNORED_ADJECTIVES | {"very"}
 _STOP = re.compile(r"[,;:.!?()]")
-_ARTICLE = re.compile(r"(?:an?|the) ", re.IGNORECASE)
 _DECIMAL = re.compile(r"\d\.\d")
 _LIST = re.compile(r"(?: and|, and|,) ", re.IGNORECASE)
 _AND = ("and", "while", "plus")
@@ -47,7 +46,7 @@ def items(
         comma = listed[0].startswith(",")
         if not noun or (comma and opener.relation == "holds"):
             return
-        also = opener.relation == "holds" or (opener.weak and _ARTICLE.match(prompt, listed.end()))
+        also = opener.relation == "holds" or (opener.weak and opener.relation == "wears")
         if noun not in known_as.WORN and (comma or not also):
             return
         begin = listed.end()

@@ -22,6 +22,7 @@ ON_BACKS = frozenset(("backpack", "jetpack", "quiver"))
 CLOTHING = frozenset(
     "jacket shirt dress trousers belt chestplate boot sneaker sandal sock scarf cape".split()
 ) | {"high heel", "dog collar"}
+ON_BODIES = frozenset(("shirt", "jacket", "dress", "chestplate"))  # one is worn
 WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headphones"}
 # They are open above: what is in them is seen.
 CONTAINERS = frozenset(

@@ -211,7 +211,7 @@ class Reading(Stature):
     def _is_trade(self, token: str, at: int) -> bool:
         """Whether an unknown word only says what somebody is: "a crocodile podiatrist"."""
         behind = self._noun_end == at and is_creature(self.got.thing)
-        return behind and TRADE.fullmatch(token) is not None and not corrected(token)
+        return behind and TRADE.fullmatch(token) is not None
 
     def _correct(self, token: str, at: int) -> int:
         """Read an unknown token as the word that it is a slip of; how many tokens that were."""

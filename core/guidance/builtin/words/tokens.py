@@ -44,9 +44,6 @@ KEYS = frozenset(
 )
 NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
-# "My dog is a brown dachshund".
-MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
-
 
 @dataclass
 class Tokens:

@@ -19,7 +19,7 @@ from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.companion_openers import is_doing
-from core.guidance.builtin.words.companion_words import CLOTHING, is_dressed
+from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
@@ -39,11 +39,11 @@ from core.guidance.builtin.words.reading import Reading
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.tokens import MINE
 from core.guidance.builtin.words.words import GLASSWARE, PLAIN, SHAPES, WEATHERS
 
 DENIM_BLUE = "denim blue"
-OF_BODIES = {"shirt", "jacket", "dress", "chestplate"}  # one is worn
+# "My dog is a brown dachshund".
+MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
 AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
 BARE_AND = re.compile(r" and ", re.IGNORECASE)  # "bacon and eggs"
@@ -231,7 +231,7 @@ def _are_alike(one: Found, other: Found) -> bool:
     """Whether both are in a hand, on a body, or the same."""
     both = {one.words.noun, other.words.noun}
     held = one.relation == other.relation == "holds"
-    return held or len(both) == 1 or both <= OF_BODIES
+    return held or len(both) == 1 or both <= ON_BODIES
 
 
 def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
