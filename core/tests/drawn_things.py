@@ -8,19 +8,25 @@ import torch
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.placement import Body, Placement
-from core.guidance.builtin.guidance import load_builtin
+from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
+
+
+@cache
+def shipped_prior() -> BuiltinGuidance:
+    """The shipped prior: a second of a CPU to load."""
+    return load_builtin("cpu")
 
 
 @cache
 def body(prompt: str) -> Body:
-    drawn = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    drawn = shipped_prior().prompted(prompt, "").of_object(0)
     assert drawn.solid is not None
     return Body.of(drawn.words, drawn.solid)
 
 
 @cache
 def composed(prompt: str) -> Composed:
-    found = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    found = shipped_prior().prompted(prompt, "").of_object(0)
     assert isinstance(found, Composed) and found.made
     return found
 

@@ -6,7 +6,6 @@ import torch
 from core.geometry import pieces
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import FINISHES, looks
 from core.guidance.builtin.patterns import (
     BAND,
@@ -22,6 +21,7 @@ from core.guidance.builtin.patterns import (
     RAINBOW,
     Laid,
 )
+from core.tests.drawn_things import shipped_prior
 from core.tests.texture_shapes import area as any_area
 
 TWO = (any_area(), any_area())
@@ -200,7 +200,7 @@ def test_a_basketball_has_two_circles_and_a_curve_at_either_side():
 )
 def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
     monkeypatch.setattr(pieces, "SEARCH", 40)  # an eighth of the time
-    prompted = load_builtin("cpu").prompted(prompt, "")
+    prompted = shipped_prior().prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()
     assert tuple(one.plain for one in areas.each[: len(plain)]) == plain
@@ -214,7 +214,7 @@ def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
 def test_a_striped_rug_has_stripes_across_it(monkeypatch):
     """Level ones, as a mast's, would leave what lies in one colour."""
     monkeypatch.setattr(pieces, "SEARCH", 40)
-    prompted = load_builtin("cpu").prompted("a red and white striped rug", "").of_object(0)
+    prompted = shipped_prior().prompted("a red and white striped rug", "").of_object(0)
     areas, size = prompted.areas(), prompted._known.extents()[0]
     along, across = (0, 1) if size[0] > size[1] else (1, 0)
     line = torch.zeros(400, 3)
@@ -283,7 +283,7 @@ def test_the_nearest_areas_are_those_of_the_lattices_nodes():
 @pytest.mark.usefixtures("coarse")  # the weights
 def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch):
     monkeypatch.setattr(pieces, "SEARCH", 40)
-    guidance = load_builtin("cpu")
+    guidance = shipped_prior()
 
     def told(prompt):
         parts = guidance.prompted(prompt, "")

@@ -11,8 +11,9 @@ from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, va
 from core.benchmarks.likeness import Surface, objects
 from core.errors import UserError
 from core.geometry.assembly import assembled
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin
 from core.prior.retrieval import reference_clouds
+from core.tests.drawn_things import shipped_prior
 
 
 def _moved(surface: Surface, by: float) -> Surface:
@@ -40,7 +41,7 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
     monkeypatch.setattr(bench, "VARIED", 2)
     # The second time the same objects, whose meshes they keep.
     monkeypatch.setattr(PromptedBuiltin, "of_object", cache(PromptedBuiltin.of_object))
-    guidance, references = load_builtin("cpu"), reference_clouds(["bed", "mug", "tower"])
+    guidance, references = shipped_prior(), reference_clouds(["bed", "mug", "tower"])
     scores = solid_scores(guidance, "mug", 1, references)
     assert (scores["first"], scores["first_five"], scores["nearer"]) == (1, 1, [])
     assert 0.8 < scores["crease"] < 1.3

@@ -11,23 +11,22 @@ from core.guidance.builtin.composition.clothing import Garment, garment
 from core.guidance.builtin.composition.cuts import CUTS, cut
 from core.guidance.builtin.composition.measurements import BARE, Measurements
 from core.guidance.builtin.composition.placement import Body
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.companion_words import CLOTHING, WORN
 from core.guidance.builtin.words.slots import Words
-from core.tests.drawn_things import body, composed
+from core.tests.drawn_things import body, composed, shipped_prior
 
 
 @cache
 def measured(prompt: str) -> Measurements:
-    parts = load_builtin("cpu").prompted(prompt, "").of_object(0).parts()
+    parts = shipped_prior().prompted(prompt, "").of_object(0).parts()
     assert parts
     return Measurements.of(body(prompt), parts)
 
 
 @cache
 def worn_by(prompt: str, noun: str, material: str = "") -> Garment | None:
-    solid = load_builtin("cpu").prompted("a shirt", "").of_object(0).solid
+    solid = shipped_prior().prompted("a shirt", "").of_object(0).solid
     assert solid
     return garment(Words(noun=noun, material=material), solid, measured(prompt))
 
@@ -50,11 +49,9 @@ def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
     ("prompt", "stands", "has_legs"),
     [
         ("a penguin", True, True),
-        ("a teddy bear", True, False),
         ("a robot", True, True),
         ("a monkey", True, False),
         ("a cat", False, True),
-        ("an elephant", False, True),
         ("a shark", False, False),
         ("a snake", True, False),
     ],
@@ -114,7 +111,7 @@ def test_a_tail_goes_through():
 
 
 def test_a_raised_arm_has_a_sleeve_beside_the_head_and_the_head_none():
-    drawn = load_builtin("cpu").prompted("a man", "").of_object(1)
+    drawn = shipped_prior().prompted("a man", "").of_object(1)
     assert drawn.solid
     own = Body.of(drawn.words, drawn.solid)
     wearer = Measurements.of(own, drawn.parts())
@@ -185,7 +182,11 @@ def test_shoes_are_on_each_foot_and_do_not_fit_a_fish():
 
 
 @pytest.mark.parametrize(
-    "prompt", ["a cat wearing a red shirt", "a penguin wearing a leather jacket and a scarf"]
+    "prompt",
+    [
+        "a cat wearing a red shirt",
+        pytest.param("a penguin wearing a leather jacket and a scarf", marks=pytest.mark.slow),
+    ],
 )
 def test_who_is_dressed_is_one_closed_mesh_without_a_strut(prompt: str):
     parts = composed(prompt).parts()

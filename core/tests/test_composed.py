@@ -14,13 +14,13 @@ from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
 from core.guidance.builtin.composition.composed import Composed, composed_field
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import seen_from
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import Views
 from core.io.job import Job
 from core.job_config import config_of
-from core.tests.drawn_things import body, composed
+from core.tests.drawn_things import body, composed, shipped_prior
 
 
 def test_a_composition_is_one_closed_piece_of_the_usual_radius():
@@ -67,7 +67,7 @@ def test_far_from_a_thing_its_network_is_not_asked():
 
 @pytest.mark.parametrize("negative", ["", "red"])
 def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
-    prompted = load_builtin("cpu").prompted("a cat on a red cushion", negative)
+    prompted = shipped_prior().prompted("a cat on a red cushion", negative)
     drawn = prompted.of_object(0)
     cameras = Cameras.orbit([20.0], [10.0], 2.75, 40.0)
     surface = torch.zeros(1, 7, 64, 64)
@@ -101,17 +101,17 @@ def test_an_object_is_as_large_as_it_is_with_what_goes_with_it():
     assert 1.1 * alone < composed("a rabbit on a stack of books").size_m() < 3 * alone
     stated = composed("a 60 cm tall rabbit on a stack of books").size_m()
     assert 0.65 < stated < 1.8
-    assert load_builtin("cpu").prompted("a rabbit", "").of_object(0).size_m() is None
+    assert shipped_prior().prompted("a rabbit", "").of_object(0).size_m() is None
 
 
 def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone():
-    prompted = load_builtin("cpu").prompted("a wizard wearing a golden crown", "")
+    prompted = shipped_prior().prompted("a wizard wearing a golden crown", "")
     alone = prompted.of_object(0, whole=False)
     for one in (prompted, alone):
         (note,) = one.left_out()
         assert note.startswith("crown: left out")
         assert one.size_m() is None
-    wizard = load_builtin("cpu").prompted("a wizard", "").of_object(0)
+    wizard = shipped_prior().prompted("a wizard", "").of_object(0)
     assert alone.parts().forms == wizard.parts().forms
     assert alone.alone.words.absent == ()  # it has its hat
     whole = prompted.of_object(0)
@@ -130,7 +130,7 @@ def test_things_are_made_together_without_a_guide_where_nothing_is_distilled(pre
     job = Job(prompt="a cat on a cushion", preset=preset)
     config = config_of(job)
     config = replace(config, geometry=replace(config.geometry, start="learned"))
-    prompted = load_builtin("cpu").prompted(job.prompt, "")
+    prompted = shipped_prior().prompted(job.prompt, "")
     shape = Mesh(body("a cat").verts, body("a cat").faces) if guide else None
     inputs = Inputs(config, torch.device("cpu"), prompted, torch.zeros(1), shape)
     made = of_seed(inputs, job).guidance
@@ -146,7 +146,7 @@ def test_a_material_range_spans_all_things():
 
 def test_copies_are_painted_each_as_the_thing_itself():
     words = replace(parse("a red apple"), count=3)
-    guidance = load_builtin("cpu")
+    guidance = shipped_prior()
     apple = guidance.prompted("a red apple", "")
     three = Composed(guidance, apple, [replace_words(apple, words)], []).of_object(0)
     (places,) = three.made.places

@@ -18,10 +18,9 @@ from core.guidance.builtin.composition.resting import (
     upon,
 )
 from core.guidance.builtin.composition.wearing import freed, head_of, worn
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
-from core.tests.drawn_things import body, centered, composed
+from core.tests.drawn_things import body, centered, composed, shipped_prior
 
 QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
@@ -274,7 +273,7 @@ def test_the_second_thing_is_in_the_other_hand():
 
 
 def test_a_crab_without_claws_holds_something_too():
-    crab = load_builtin("cpu").prompted("a crab without claws", "").of_object(0)
+    crab = shipped_prior().prompted("a crab without claws", "").of_object(0)
     place = held(body("a flag"), Body.of(crab.words, crab.solid))
     assert torch.isfinite(place.shift).all()
 

@@ -9,7 +9,6 @@ from core.camera import Cameras
 from core.config import preset
 from core.errors import UserError
 from core.guidance import sds
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.gaussian import GaussianGuidance, mixture_eps
 from core.guidance.guidance import Predictions, PromptedGuidance, Views
 from core.guidance.sds import Method, classifier_score, inverted_noise, sds_grad
@@ -19,6 +18,7 @@ from core.settings import with_settings
 from core.stages.distill import Draw
 from core.stages.state import Training
 from core.stages.training import Setup
+from core.tests.drawn_things import shipped_prior
 from core.tests.test_sds import Normal
 
 T = torch.tensor([40, 500, 950])
@@ -172,7 +172,7 @@ def test_the_inversion_has_minus_the_guidance_s_scale():
 
 @pytest.mark.parametrize("negative", ["", "striped", "a mug"])
 def test_the_built_in_prior_predicts_for_the_negative_prompt_apart(negative):
-    guidance = load_builtin("cpu")
+    guidance = shipped_prior()
     views = Views(Cameras.orbit([30.0], [20.0]))
     z_t = random(1, 4, 64, 64).float()
     t = torch.tensor([600])

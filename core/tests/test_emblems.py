@@ -12,7 +12,7 @@ from core.generate import Inputs, generate
 from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.markings import drawn as placing
 from core.guidance.builtin.markings import windows
 from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
@@ -29,6 +29,7 @@ from core.guidance.builtin.words.vocabulary import parse
 from core.io.job import Job, read_events
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
+from core.tests.drawn_things import shipped_prior
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -221,7 +222,7 @@ def mug():
     """With a heart, and its areas."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(builtin, "SolidAreas", partial(SolidAreas, cells=40))
-        prompted = load_builtin("cpu").prompted("a white mug with a red heart", "").of_object(0)
+        prompted = shipped_prior().prompted("a white mug with a red heart", "").of_object(0)
         return prompted, prompted.areas()
 
 
@@ -314,7 +315,7 @@ def test_what_has_no_place_is_said(mug, monkeypatch):
 
 def test_what_bears_what_is_drawn_stays():
     """Without its border a rug would be nothing but fringes."""
-    builtin_prior = load_builtin("cpu")
+    builtin_prior = shipped_prior()
     whole = builtin_prior.prompted("a rug", "").of_object(0)
     without = builtin_prior.prompted("a rug without a border", "").of_object(0)
     at = torch.zeros(1, 3)
@@ -329,7 +330,7 @@ def test_what_bears_what_is_drawn_stays():
     ("prompt", "there"), [("a kettlebell", True), ("a kettlebell that says GO", False)]
 )
 def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
-    prompted = load_builtin("cpu").prompted(prompt, "").of_object(0)
+    prompted = shipped_prior().prompted(prompt, "").of_object(0)
     badge = list(looks("kettlebell")).index("badge")
     assert (badge in [part for part, *_ in prompted._marked.laid]) is there
 
@@ -339,7 +340,7 @@ def test_a_run_tells_what_of_the_prompt_is_left_out(tmp_path, monkeypatch):
     monkeypatch.setattr("core.generate.learned_shape", lambda *_, **__: pytest.fail("too late"))
     prompt = "a mug that says HELLO"
     config = replace(DRAFT, geometry=replace(DRAFT.geometry, start="ellipsoid"))
-    prompted, light = load_builtin("cpu").prompted(prompt, ""), torch.zeros(2, 4, 3)
+    prompted, light = shipped_prior().prompted(prompt, ""), torch.zeros(2, 4, 3)
     inputs = Inputs(config, torch.device("cpu"), prompted, light, None)
     run = RunFolder.create(tmp_path / "run", Job(prompt=prompt))
     with pytest.raises(pytest.fail.Exception, match="too late"):

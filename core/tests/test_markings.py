@@ -16,7 +16,7 @@ from core.errors import UserError
 from core.geometry import pieces
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
-from core.guidance.builtin.guidance import GEOMETRY_SLOTS, load_builtin
+from core.guidance.builtin.guidance import GEOMETRY_SLOTS
 from core.guidance.builtin.markings import balls, fronts, prints
 from core.guidance.builtin.markings.balls import number_on, pentagons, pips
 from core.guidance.builtin.markings.coats import FORE, HIND
@@ -37,6 +37,7 @@ from core.guidance.builtin.words.vocabulary import parse
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.families import family
+from core.tests.drawn_things import shipped_prior
 
 UNIT = torch.ones(3)
 BORROWED = [noun for noun in NOUNS if solid_of(noun) != noun]
@@ -93,7 +94,7 @@ def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part)
 
 @pytest.mark.parametrize(("noun", "part"), SPOTS)
 def test_spots_are_on_both_sides_of_a_front(noun, part):
-    drawn = load_builtin("cpu").prompted(f"a {noun}", "").of_object(1)
+    drawn = shipped_prior().prompted(f"a {noun}", "").of_object(1)
     fields, names = drawn.area_fields(), list(looks(noun))
     assert drawn.solid and fields
     points = drawn.solid.mesh[0]
@@ -330,7 +331,7 @@ def football():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(pieces, "SEARCH", 40)
         patch.setattr(builtin, "SolidAreas", partial(SolidAreas, cells=40))
-        prompted = load_builtin("cpu").prompted("a soccer ball with red patches", "").of_object(0)
+        prompted = shipped_prior().prompted("a soccer ball with red patches", "").of_object(0)
         return prompted, prompted.areas(), prompted.parts().boxes()[0]
 
 

@@ -10,11 +10,11 @@ from core.appearance.material_ranges import LocalRanges, MaterialRanges
 from core.config import AppearanceConfig, preset
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import SolidAreas
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.palette import looks
 from core.guidance.load import make_guidance
 from core.job_config import local_ranges, within
 from core.ops import linear_to_srgb, srgb_to_linear
+from core.tests.drawn_things import shipped_prior
 from core.tests.texture_shapes import area
 
 CONFIG = AppearanceConfig(log2_hash_size=10, finest=32)
@@ -134,7 +134,7 @@ def test_an_areas_colour_stays_in_its_range():
 
 
 def test_a_drawn_parts_colour_is_looked_for_around_the_words_own():
-    builtin = load_builtin("cpu")
+    builtin = shipped_prior()
     areas = builtin.prompted("a snowman with a green scarf", "").of_object(0).areas()
     names = list(looks("snowman"))
     hat, scarf = (areas.each[names.index(part)].ranges.color for part in ("hat", "scarf"))

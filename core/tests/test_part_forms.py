@@ -6,13 +6,13 @@ import pytest
 import torch
 
 from core.geometry.mesh import Mesh
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.part_forms import part_forms_table
 from core.prior import part_forms as asked
 from core.prior.families import Shape
 from core.prior.part_forms import axes_of, is_flat, is_round, part_forms
 from core.prior.solids import Solid, ball, box, join, tube
+from core.tests.drawn_things import shipped_prior
 
 FRAME = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
 
@@ -97,13 +97,13 @@ def test_each_piece_of_a_part_has_an_axis_of_its_own():
     ("words", "kept"), [("a car", True), ("a wide car", True), ("a tall car", False)]
 )
 def test_what_an_adjective_makes_oval_is_not_round(words, kept):
-    parts = load_builtin("cpu").prompted(words, "").of_object(0).parts()
+    parts = shipped_prior().prompted(words, "").of_object(0).parts()
     wheels = list(NOUNS["car"].looks).index("wheels")
     assert parts is not None and (parts.forms.round[0][wheels] > 0.9) == kept
 
 
 def test_the_parts_are_known_once_an_object_is_drawn():
-    prompted = load_builtin("cpu").prompted("a red mug", "")
+    prompted = shipped_prior().prompted("a red mug", "")
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
@@ -114,7 +114,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
 
 
 def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
-    drawn = load_builtin("cpu").prompted("a chair without legs", "").of_object(0)
+    drawn = shipped_prior().prompted("a chair without legs", "").of_object(0)
     legs = list(NOUNS["chair"].looks).index("legs")
     assert drawn.solid is not None and drawn.solid.absent == (legs,)
     verts, faces = drawn.solid.mesh
@@ -128,5 +128,5 @@ def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
 
 
 def test_a_stop_signs_plate_and_rim_are_told_to_have_corners():
-    parts = load_builtin("cpu").prompted("a stop sign", "").of_object(0).parts()
+    parts = shipped_prior().prompted("a stop sign", "").of_object(0).parts()
     assert list(parts.forms.cornered) == [0, 1]

@@ -16,16 +16,15 @@ from core.guidance.builtin.composition.legs import HANGING, OFF_AXIS, Legs, legs
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import Bone, Pose, Posed, joint
 from core.guidance.builtin.composition.sitting import posture_of, seated
-from core.guidance.builtin.guidance import load_builtin
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import Views
-from core.tests.drawn_things import body, composed
+from core.tests.drawn_things import body, composed, shipped_prior
 
 QUARTER = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # down to the front
 
 
 def legs(prompt: str) -> Legs | None:
-    parts = load_builtin("cpu").prompted(prompt, "").of_object(0).parts()
+    parts = shipped_prior().prompted(prompt, "").of_object(0).parts()
     assert parts is not None
     return legs_of(body(prompt), parts)
 
@@ -220,7 +219,7 @@ def test_boots_go_with_the_legs_that_wear_them():
 
 
 def test_what_is_worn_is_known_where_it_comes_to_lie():
-    guidance = load_builtin("cpu").prompted("a robot wearing boots sitting on a bench", "")
+    guidance = shipped_prior().prompted("a robot wearing boots sitting on a bench", "")
     drawn = [thing.of_object(0) for thing in guidance.things]
     bodies = [Body.of(thing.words, thing.solid) for thing in drawn]
     drawn, bodies, _ = dressed(drawn, bodies, guidance.relations)
@@ -239,7 +238,7 @@ def test_who_drives_is_below_the_roof():
 
 
 def test_a_heap_in_a_boat_is_not_posed():
-    drawn = [load_builtin("cpu").prompted("a man", "").of_object(0)] * 2
+    drawn = [shipped_prior().prompted("a man", "").of_object(0)] * 2
     for count in (3, 1):
         words = replace(parse("a man in a boat"), count=count)
         man = replace(body("a man"), words=words)
@@ -248,7 +247,7 @@ def test_a_heap_in_a_boat_is_not_posed():
 
 
 def test_who_waves_has_legs_about_an_axis_of_their_own():
-    waving = load_builtin("cpu").prompted("a man sitting on a bench", "").of_object(1)
+    waving = shipped_prior().prompted("a man sitting on a bench", "").of_object(1)
     man = waving.made.things[0]
     assert isinstance(man, Posed)
     whole = Body.of(man.words, man.solid)

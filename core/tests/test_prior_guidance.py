@@ -35,13 +35,14 @@ from core.prior.evaluate import score_paint, score_pattern
 from core.prior.families import build
 from core.prior.tracer import render
 from core.prior.velocity import x_from_v
+from core.tests.drawn_things import shipped_prior
 from core.tests.tiny_runs import remembered
 
 
 @pytest.fixture(scope="module")
 def guidance() -> BuiltinGuidance:
     """The shipped one."""
-    return load_builtin("cpu")
+    return shipped_prior()
 
 
 @pytest.fixture(scope="module")

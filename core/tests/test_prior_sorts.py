@@ -7,13 +7,14 @@ from functools import cache
 import pytest
 import torch
 
-from core.guidance.builtin.guidance import GEOMETRY_SLOTS, BuiltinGuidance, load_builtin
+from core.guidance.builtin.guidance import GEOMETRY_SLOTS, BuiltinGuidance
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.part_forms import is_round
 from core.guidance.builtin.solid_net import KINDS
 from core.guidance.builtin.words.sorts import SORTS, sort_of
 from core.guidance.builtin.words.vocabulary import parse
+from core.tests.drawn_things import shipped_prior
 
 SEEN = 2  # objects of a kind, at the least
 EACH = [(noun, words) for noun, sorts in SORTS.items() for words in sorts]
@@ -21,7 +22,7 @@ EACH = [(noun, words) for noun, sorts in SORTS.items() for words in sorts]
 
 @pytest.fixture(scope="module")
 def guidance() -> BuiltinGuidance:
-    return load_builtin("cpu")
+    return shipped_prior()
 
 
 @pytest.mark.parametrize(("noun", "words"), EACH)

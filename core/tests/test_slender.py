@@ -11,13 +11,14 @@ from core.geometry.assembly import Forms, KnownParts, assembled
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.bent import BentSolid, in_box
-from core.guidance.builtin.guidance import PromptedBuiltin, load_builtin
+from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.prior.draw import Draw
 from core.prior.families import Shape, build, normalised
 from core.prior.solid_data import distances_of
 from core.prior.solids import ball, box
+from core.tests.drawn_things import shipped_prior
 
 WIDER = (3.0, 3.0, 1.0)
 HALF = torch.tensor([0.1, 0.012, 0.8])  # a blade, thinner than a cell of the lattice
@@ -86,7 +87,7 @@ def test_what_is_slender_is_a_known_thing_and_is_told_wider_by_the_data(noun):
 
 @pytest.fixture(scope="module")
 def sword() -> Callable[[int], PromptedBuiltin]:
-    return cache(load_builtin("cpu").prompted("a sword", "").of_object)
+    return cache(shipped_prior().prompted("a sword", "").of_object)
 
 
 def test_a_sword_is_slender(sword):
