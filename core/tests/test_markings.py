@@ -27,6 +27,7 @@ from core.guidance.builtin.markings.markings import (
     Marked,
     has_markings,
     is_marking,
+    unfit_markings,
 )
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.nouns import NOUNS, solid_of
@@ -65,8 +66,8 @@ def on_a_face(axis, side, count, half=1.0):
 @pytest.mark.parametrize("noun", MARKINGS)
 def test_markings_are_parts_that_lie_on_a_part_with_a_solid(noun):
     parts = looks(noun)
-    for part, (on, _) in MARKINGS[noun].items():
-        assert part in parts and on in parts
+    for part, marking in MARKINGS[noun].items():
+        assert part in parts and marking.on in parts
         below = [part]
         while is_marking(noun, below[-1]):
             assert len(below) == len(set(below)), "lies on itself"
@@ -81,7 +82,7 @@ SPOTS = [(n, p) for n, p in EACH if getattr(MARKINGS[n][p].marks, "func", None) 
 
 @pytest.mark.parametrize(("noun", "part"), [each for each in EACH if each not in SPOTS])
 def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part):
-    cube = torch.cat([on_a_face(axis, side, 60, 0.7) for axis in range(3) for side in (-1, 1)])
+    cube = torch.cat([on_a_face(axis, side, 97, 0.7) for axis in range(3) for side in (-1, 1)])
     marks = MARKINGS[noun][part].marks
     for points, half in ((on_a_ball(20000, 0.9), 0.9 * UNIT), (cube, 0.7 * UNIT)):
         margin = marks(points, half)
@@ -103,6 +104,16 @@ def test_spots_are_on_both_sides_of_a_front(noun, part):
     seen = points[fields.near(points)[1].argmax(1) == names.index(part)]
     assert (seen[:, 0] > middle[0] + 0.05).sum() > 10 and (seen[:, 0] < middle[0] - 0.05).sum() > 10
     assert (seen[:, 1] < middle[1] + 0.1).all() and (seen[:, 1] < middle[1]).float().mean() > 0.5
+
+
+@pytest.mark.parametrize(
+    ("prompt", "there"),
+    [("a chest", True), ("an oak chest", True), ("a blue chest", True), ("an iron chest", False)],
+)
+def test_seams_are_of_wood(prompt, there):
+    noun = parse(prompt).noun
+    materials = {part.name: part.material for part in painted(noun, parse(prompt))}
+    assert unfit_markings(noun, materials) == (set() if there else {"seams"})
 
 
 def test_an_eighth_part_is_a_marking_as_the_network_draws_seven():

@@ -28,7 +28,13 @@ from core.guidance.builtin.composition.wearing import freed
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
-from core.guidance.builtin.markings.markings import Marked, bearer_of, has_markings, is_marking
+from core.guidance.builtin.markings.markings import (
+    Marked,
+    bearer_of,
+    has_markings,
+    is_marking,
+    unfit_markings,
+)
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.offered import (
@@ -291,6 +297,7 @@ class PromptedBuiltin(PromptedGuidance):
         assert self._known is not None
         noun = self.words.noun
         gone = {name for name in self.words.absent if not self._bears(name)}
+        gone |= unfit_markings(noun, {part.name: part.material for part in self._painted[0]})
         if any(emblem.text for emblem in self.words.emblems):
             gone |= {"letters", "number"}  # others are to be there
         if self.words.emblems and is_marking(noun, "badge"):

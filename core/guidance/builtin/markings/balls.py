@@ -68,6 +68,16 @@ def football_seams(points: Points, half: Half) -> Margin:
     return SEAM - (first - second) * (half.mean() * HEXAGON / (2 * APART))
 
 
+def mesh_gaps(points: Points, half: Half, count: int = 9, wire: float = 0.4) -> Margin:
+    """Between the wires of a mesh about a ball, in squares on the six sides of a cube about it."""
+    size, order = points.abs().sort(1, descending=True)
+    sides = torch.stack([(order[:, 0] + 1) % 3, (order[:, 0] + 2) % 3], 1)
+    angles = torch.atan2(points.gather(1, sides), size[:, :1])
+    at = angles * (count / (math.pi / 2)) + count / 2
+    away = (at - at.floor() - 0.5).abs().amax(1)
+    return (0.5 - wire / 2 - away) * (half.mean() * math.pi / (2 * count))
+
+
 def gores(points: Points, half: Half, number: int) -> Margin:
     """One of a beach ball's six, from cap to cap about an axis that leans to the front."""
     c, s = math.cos(0.6), math.sin(0.6)

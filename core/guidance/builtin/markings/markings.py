@@ -5,7 +5,7 @@ the lattice. Here it is a margin, as a pattern's is (:mod:`core.guidance.builtin
 it is as sharp as the texture; and it is a part by name, with a colour and a material of its own.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings import balls, coats, flags, fronts, prints
+from core.guidance.builtin.markings import balls, boards, coats, flags, fronts, prints
 from core.guidance.builtin.markings.margins import Marks, blobs
 
 
@@ -22,6 +22,7 @@ class Marking(NamedTuple):
 
     on: str  # the part that bears it, or another marking that lies on that
     marks: Marks
+    of: str = ""  # the only material that is so marked, where a prompt names one: a plank's seams
 
 
 STICKERS = ("reds", "blues", "greens", "whites", "yellows", "oranges")
@@ -125,6 +126,36 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "basketball hoop": {
         "square": Marking("board", partial(fronts.frame, at=-0.1, size=(0.62, 0.45), wide=0.07))
     },
+    "tennis racket": {"gaps": Marking("strings", boards.net_gaps)},
+    "microphone": {"mesh": Marking("head", balls.mesh_gaps)},
+    "radio": {"slots": Marking("speaker", boards.slots)},
+    "barrel": {"seams": Marking("body", boards.staves, "wooden")},
+    "chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
+    "open chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
+    "crate": {"seams": Marking("planks", partial(boards.planks, count=6), "wooden")},
+    "rowboat": {"seams": Marking("hull", partial(boards.planks, count=5))},
+    "pirate ship": {"seams": Marking("hull", partial(boards.planks, count=10), "wooden")},
+    "barn": {"seams": Marking("walls", boards.boarding)},
+    "basket": {"weave": Marking("body", boards.weave)},
+    "pineapple": {"lines": Marking("body", boards.diamonds)},
+    "hamburger": {"seeds": Marking("bun", boards.seeds)},
+    "phone": {"icons": Marking("screen", boards.icons)},
+    "scroll": {"letters": Marking("paper", boards.written)},
+    "shop": {"letters": Marking("sign", partial(fronts.lettered, text="OPEN", high=0.3))},
+    **{
+        noun: {"frets": Marking("neck", boards.frets)}
+        for noun in ("guitar", "ukulele", "banjo", "electric guitar")
+    },
+    "wagon": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
+    "stump": {"rings": Marking("wood", boards.year_rings)},
+    "broom": {"lines": Marking("bristles", partial(boards.staves, count=22, wide=0.006))},
+    "hay bale": {"lines": Marking("straw", partial(boards.planks, count=18, wide=0.006))},
+    "mummy": {"folds": Marking("bandages", partial(boards.planks, count=17, wide=0.007))},
+    "cactus": {
+        "spines": Marking("body", partial(blobs, pitch=0.09, sizes=(0.012, 0.015), share=0.95))
+    },
+    "sunflower": {"seeds": Marking("heart", partial(boards.seeds, count=60, up=1, size=0.045))},
+    "feather": {"barbs": Marking("vane", partial(fronts.slanted, pitch=0.09))},
     "grand piano": {"black keys": Marking("keys", fronts.black_keys)},
     "jar": {"label": Marking("body", partial(fronts.belt, low=-0.55, high=0.3))},
     "necktie": {"stripes": Marking("blade", partial(fronts.slanted, pitch=0.3))},
@@ -319,9 +350,7 @@ class Marked:
             boxes: of each the lowest and the highest corner; None of what has no solid.
         """
         self.laid: list[tuple[int, int, Marks, Float[Tensor, "2 3"]]] = []
-        for name, (on, marks) in sorted(
-            MARKINGS.get(noun, {}).items(), key=lambda one: _depth(noun, one[0])
-        ):
+        for name, (on, marks, _) in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
             bearer = bearer_of(noun, name)
             if {name, on, bearer} <= set(names):
                 box = boxes[names.index(bearer)]
@@ -347,6 +376,17 @@ def bearer_of(noun: str, part: str) -> str:
     while is_marking(noun, part):
         part = MARKINGS[noun][part].on
     return part
+
+
+def unfit_markings(noun: str, materials: Mapping[str, str]) -> set[str]:
+    """Those that are of another material than a prompt states of their part: ``materials``, ""
+    by nature. An iron chest has no planks."""
+    named = ((name, one.of, materials[bearer_of(noun, name)]) for name, one in _of(noun))
+    return {name for name, own, stated in named if own and stated not in ("", own)}
+
+
+def _of(noun: str) -> Iterable[tuple[str, Marking]]:
+    return MARKINGS.get(noun, {}).items()
 
 
 def _depth(noun: str, part: str) -> int:

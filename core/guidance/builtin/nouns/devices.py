@@ -16,7 +16,13 @@ DEVICES = {
     "phone": Noun(
         "smartphone, mobile phone, cell phone, cellphone; tablet, iphone, ipad, kindle, e "
         "reader, walkman, mp3 player, router, modem",
-        {"body": "*2a2c31", "screen": "-3f86c8", "camera": "-131416", "buttons": "+8b9096"},
+        {
+            "body": "*2a2c31",
+            "screen": "-3f86c8",
+            "camera": "-131416",
+            "buttons": "+8b9096",
+            "icons": "-e6eef6",
+        },
         Usual(0.15, 2200.0, 0.45),
     ),
     "monitor": Noun(
@@ -55,6 +61,7 @@ DEVICES = {
             "ring": "&7b8087 . metal",
             "switch": "-d2412b",
             "stand": "-2f3135 . metal",
+            "mesh": "-3b3d41 . metal",
         },
         Usual(0.2, STEEL, 0.087),
     ),
@@ -67,6 +74,7 @@ DEVICES = {
             "knobs": "-3a2f28",
             "handle": "&8a2b20",
             "aerial": "-b9bdc2 . metal",
+            "slots": "-4a3c30",
         },
         Usual(0.3, PLASTIC, 0.4),
     ),

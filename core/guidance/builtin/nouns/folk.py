@@ -74,6 +74,7 @@ FOLK = {
             "bands": "&b39c6c . fabric",
             "gap": "-2a2019",
             "eyes": "-f2c832",
+            "folds": "&b8a878 . fabric",
         },
         Usual(1.75, FLESH, 0.3),
     ),

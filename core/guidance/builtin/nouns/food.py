@@ -5,7 +5,13 @@ from core.guidance.builtin.nouns.noun import FLESH, GLASS, SNOW, STEEL, Noun, Us
 FOOD = {
     "hamburger": Noun(
         "burger, cheeseburger; big mac, slider, veggie burger",
-        {"bun": "*cf8a3c", "lettuce": "+5fae34", "patty": "-5a3019", "cheese": "-f5b52a"},
+        {
+            "bun": "*cf8a3c",
+            "lettuce": "+5fae34",
+            "patty": "-5a3019",
+            "cheese": "-f5b52a",
+            "seeds": "-f4e3b8",
+        },
         Usual(0.12, 500.0),
     ),
     "ice cream": Noun(

@@ -178,6 +178,7 @@ HAULAGE = {
             "floor": "+9a6a36 grain",
             "oars": "+d2a466 grain",
             "blades": "+c8352a . paint",
+            "seams": "&1d475c . paint",
         },
         Usual(3.6, WOOD, 0.09),
     ),

@@ -13,6 +13,7 @@ NOVEL_INSTRUMENTS = {
             "pickups": "-1b1b1e . plastic",
             "bridge": "-c4c9ce . metal",
             "knobs": "-d9b24a . golden",
+            "frets": "-c9ccd0 . metal",
         },
         Usual(1.0, WOOD, 0.15),
     ),

@@ -15,7 +15,7 @@ PLANTS = {
     ),
     "cactus": Noun(
         "cacti; saguaro, cactus plant",
-        {"body": "*3f8a45", "pot": "+b8623b"},
+        {"body": "*3f8a45", "pot": "+b8623b", "spines": "-efe9c8"},
         Usual(0.4, PLANT),
     ),
     "flower": Noun(
@@ -42,7 +42,7 @@ PLANTS = {
     ),
     "sunflower": Noun(
         "sunflowers",
-        {"petals": "*f6c11c", "heart": "+4f2d14", "stalk": "-3e8a36"},
+        {"petals": "*f6c11c", "heart": "+4f2d14", "stalk": "-3e8a36", "seeds": "-2a1708"},
         Usual(1.6, PLANT, 0.025),
     ),
     "rose": Noun(
@@ -62,7 +62,7 @@ PLANTS = {
     ),
     "stump": Noun(
         "tree stump",
-        {"bark": "*6a4a2e", "wood": "+d9b27a"},
+        {"bark": "*6a4a2e", "wood": "+d9b27a", "rings": "-a87c46"},
         Usual(0.7, WOOD),
     ),
     "log": Noun(

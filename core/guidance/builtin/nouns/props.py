@@ -26,6 +26,7 @@ PROPS = {
             "lid": "*7a4a24 grain",
             "bands": "+4a4d52 . metal",
             "lock": "-d8a83c . golden",
+            "seams": "&41260f grain",
         },
         Usual(0.8, WOOD, 0.3),
     ),
@@ -57,13 +58,18 @@ PROPS = {
     ),
     "barrel": Noun(
         "wine barrel, cask, keg; oil drum, vat, oil barrel",
-        {"body": "*8a5a2e grain", "hoops": "+55585c . metal"},
+        {"body": "*8a5a2e grain", "hoops": "+55585c . metal", "seams": "&4a2e16 grain"},
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
         "shipping crate, supply crate; packing case, ammo box, care package, ammo crate, wooden "
         "box, storage box, storage bin, storage crate, lobster trap, lobster pot",
-        {"planks": "*b98a52 grain", "frame": "&9c6f3e grain", "braces": "&9c6f3e grain"},
+        {
+            "planks": "*b98a52 grain",
+            "frame": "&9c6f3e grain",
+            "braces": "&9c6f3e grain",
+            "seams": "&6e4c28 grain",
+        },
         Usual(0.6, WOOD, 0.12),
     ),
     "lantern": Noun(
@@ -125,7 +131,7 @@ PROPS = {
     ),
     "scroll": Noun(
         "parchment scroll; parchment, map scroll, map, treasure map, papyrus",
-        {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f"},
+        {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f", "letters": "-4a3722"},
         Usual(0.35, WOOD, 0.16),
     ),
     "cauldron": Noun(
@@ -210,7 +216,7 @@ PROPS = {
     ),
     "basket": Noun(
         "picnic basket; hamper, wickerwork",
-        {"body": "*b98a4a scales", "handle": "&a5743e", "rim": "&a5743e"},
+        {"body": "*c39652", "handle": "&a5743e", "rim": "&a5743e", "weave": "&9a6c34"},
         Usual(0.4, PLANT, 0.1),
     ),
     "balloon": Noun(

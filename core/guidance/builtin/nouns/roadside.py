@@ -80,6 +80,7 @@ ROADSIDE = {
             "window": "-9fd0e0 . glass",
             "door": "&7a4524 grain",
             "sign": "+2f7a4c . paint",
+            "letters": "-f6f2e8 . paint",
         },
         Usual(7.0, STONE, 0.15),
     ),

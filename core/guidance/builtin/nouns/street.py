@@ -91,6 +91,7 @@ STREET = {
             "trim": "+f4f1ea",
             "door": "&84211b",
             "hay": "-e0b54c",
+            "seams": "&7d1d17",
         },
         Usual(14.0, WOOD, 0.04),
     ),

@@ -103,7 +103,7 @@ TOOLS_AND_TOYS = {
     ),
     "broom": Noun(
         "broomstick, besom; sweeping brush, dustpan, squeegee",
-        {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain"},
+        {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain", "lines": "&9c7a34"},
         Usual(1.4, 300.0, 0.12),
     ),
     "toolbox": Noun(
@@ -317,7 +317,12 @@ TOOLS_AND_TOYS = {
     "tennis racket": Noun(
         "tennis racquet, racket, racquet; badminton racket, squash racket, ping pong "
         "paddle, table tennis paddle, table tennis bat",
-        {"frame": "*d2281f . paint", "strings": "-f0eee2", "grip": "+26272a . leather"},
+        {
+            "frame": "*d2281f . paint",
+            "strings": "-f0eee2",
+            "grip": "+26272a . leather",
+            "gaps": "-4a4d50",
+        },
         Usual(0.69, PLASTIC, 0.058),
     ),
     "dice": Noun(
