@@ -111,14 +111,14 @@ def hut(draw: Draw) -> Parts:
 
 def school(draw: Draw) -> Parts:
     """A long house of red brick, over its door a tower with a clock and a bell, a flag on top."""
-    x, y, high = draw(1.36, 1.42), draw(0.46, 0.5), draw(0.94, 1.0)
-    half, tall = draw(0.42, 0.45), draw(1.5, 1.56)
+    x, y, high = draw(1.36, 1.42), draw(0.47, 0.5), draw(0.96, 1.0)
+    half, tall = draw(0.43, 0.45), draw(1.52, 1.56)
     front = -y - 0.14
-    mid, roof, clock = front + half, tall + 0.58, tall - 0.34
-    cols = [s * u for u in (x * 0.16, x * 0.49, x * 0.82) for s in (-1, 1)]
-    rows = (high * 0.32, high * 0.76)
-    post = box((half - 0.06, half - 0.06, tall + 0.28), (0.08, 0.08, 0.34))
-    bell = lathe([(0.22, tall + 0.18), (0.16, tall + 0.28), (0.13, tall + 0.44),
+    mid, roof, clock = front + half, tall + 0.58, tall - 0.32
+    cols = [s * u for u in (half + 0.28, x - 0.27) for s in (-1, 1)]
+    rows = (high * 0.36, high * 0.76)
+    post = box((half - 0.07, half - 0.07, tall + 0.28), (0.09, 0.09, 0.34))
+    bell = lathe([(0.23, tall + 0.16), (0.17, tall + 0.28), (0.14, tall + 0.44),
                   (0.1, roof + 0.04)], 0.02)  # fmt: skip
     return {
         "walls": join(
@@ -126,29 +126,32 @@ def school(draw: Draw) -> Parts:
             box((0, mid, tall / 2), (half, half, tall / 2)),
         ),
         "roof": join(
-            _hip(x + 0.1, y + 0.1, high - 0.03, high + 0.36),
-            moved(_hip(half + 0.1, half + 0.1, roof - 0.04, roof + 0.4), (0, mid, 0)),
+            _hip(x + 0.12, y + 0.12, high - 0.04, high + 0.38),
+            moved(_hip(half + 0.12, half + 0.12, roof - 0.04, roof + 0.42), (0, mid, 0)),
         ),
         "trim": join(
-            box((0, mid, tall), (half + 0.08, half + 0.08, 0.09), 0.02),
+            box((0, mid, tall), (half + 0.09, half + 0.09, 0.09), 0.02),
             moved(both(post, 0, 1), (0, mid, 0)),
-            tube((0, front - 0.07, clock), (0, front + 0.2, clock), 0.3, 0.02),
-            box((0, 0, 0.05), (x + 0.06, y + 0.06, 0.1)),
-            box((0, front - 0.1, 0.05), (half * 0.9, 0.26, 0.09)),
-            box((0, front, 0.75), (0.32, 0.15, 0.08), 0.02),
-            tube((0, mid, roof + 0.3), (0, mid, roof + 0.92), 0.075),
+            tube((0, front - 0.08, clock), (0, front + 0.2, clock), 0.3, 0.02),
+            box((0, 0, 0.06), (x + 0.08, y + 0.08, 0.08)),
+            box((0, front - 0.12, 0.07), (half, 0.3, 0.1)),
+            box((0, front, 0.78), (0.34, 0.18, 0.08), 0.02),
+            tube((0, mid, roof + 0.3), (0, mid, roof + 0.96), 0.08),
         ),
         "windows": join(
-            *(_row(cols, z, (0.14, y + 0.06, 0.14), 0) for z in rows),
-            *(box((0, 0, z), (x + 0.06, 0.2, 0.14), 0.02) for z in rows),
+            *(_row(cols, z, (0.14, y + 0.08, 0.13), 0) for z in rows),
+            *(_row((-0.24, 0.24), z, (0.14, 0.1, 0.13), y) for z in rows),
+            *(box((0, 0, z), (x + 0.08, 0.2, 0.13), 0.02) for z in rows),
         ),
-        "door": box((0, front, 0.36), (0.22, 0.09, 0.36), 0.02),
+        "door": join(
+            box((0, front, 0.4), (0.23, 0.1, 0.36), 0.02),
+            box((0.36, mid, roof + 0.76), (0.36, 0.075, 0.22), 0.02),
+        ),
         "bell": moved(bell, (0, mid, 0)),
         "hands": join(
-            capsule((0, front - 0.08, clock), (0, front - 0.08, clock + 0.2), 0.055),
-            capsule((0, front - 0.08, clock), (0.14, front - 0.08, clock), 0.055),
+            capsule((0, front - 0.1, clock), (0, front - 0.1, clock + 0.18), 0.065),
+            capsule((0, front - 0.1, clock), (0.14, front - 0.1, clock), 0.065),
         ),
-        "flag": box((0.34, mid, roof + 0.74), (0.34, 0.065, 0.2), 0.02),
     }
 
 

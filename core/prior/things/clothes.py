@@ -18,6 +18,7 @@ from core.prior.solids import (
     join,
     lathe,
     mirrored,
+    moved,
     outlined,
     prism,
     ring,
@@ -254,24 +255,22 @@ def handbag(draw: Draw) -> Parts:
 
 
 def suitcase(draw: Draw) -> Parts:
-    """A travel case with a handle, two bands and corners; some roll."""
-    rolls = draw.chance(0.4)
-    x, z, y = draw(0.9, 1.1), draw(0.62, 0.75), draw(0.28, 0.38)
-    if rolls:
-        x, z = z * 0.95, x
-    low = 0.16
+    """A travel case with a handle, two straps with buckles, blocks about its corners and feet."""
+    x, z, y = draw(1.14, 1.18), draw(0.7, 0.74), draw(0.36, 0.39)
+    low, at = 0.22, x * 0.47
     mid, top = low + z, low + 2 * z
-    band = box((x * 0.55, 0, mid), (0.09, y + 0.04, z + 0.04), 0.02)
-    feet = both(tube((x * 0.75, -0.8 * y, 0.12), (x * 0.75, 0.8 * y, 0.12), 0.14, 0.03))
-    blocks = both(box((x * 0.75, 0, 0.12), (0.13, y * 0.8, 0.12), 0.02))
-    rise = draw(0.4, 0.7) if rolls else 0.24
-    posts = both(box((0.26, 0, top + rise / 2), (0.085, 0.09, rise / 2 + 0.06), 0.02))
+    corner = box((x - 0.08, 0, z - 0.08), (0.15, y + 0.07, 0.15), 0.06)
+    strap = box((at, 0, 0), (0.11, y + 0.07, z + 0.07), 0.03)
+    grip = join(
+        both(box((0.25, 0, top + 0.13), (0.1, 0.12, 0.22), 0.03)),
+        box((0, 0, top + 0.3), (0.35, 0.12, 0.11), 0.05),
+    )
     return {
-        "body": box((0, 0, mid), (x, y, z), draw(0.05, 0.14)),
-        "bands": both(band),
-        "handle": join(posts, box((0, 0, top + rise), (0.35, 0.1, 0.09), 0.05)),
-        "feet": feet if rolls else blocks,
-        "locks": both(box((x * 0.3, -y, top - 0.14), (0.1, 0.07, 0.1), 0.02)),
+        "body": box((0, 0, mid), (x, y, z), 0.1),
+        "bands": moved(join(both(corner, 0, 2), both(strap)), (0, 0, mid)),
+        "handle": grip,
+        "feet": both(box((x - 0.14, 0, 0.13), (0.13, y * 0.84, 0.13), 0.03)),
+        "locks": both(box((at, -y - 0.07, mid + z * 0.34), (0.18, 0.09, 0.15), 0.04)),
     }
 
 

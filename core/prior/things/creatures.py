@@ -229,23 +229,24 @@ def crab(draw: Draw) -> Parts:
 
 
 def snail(draw: Draw) -> Parts:
-    """A thick disc of a shell with a raised spiral, on a long foot, eyes on stalks."""
-    size, up, half = draw(0.66, 0.76), draw(0.56, 0.7), draw(0.28, 0.34)
-    cy, cz, ridge = 0.24, 0.24 + size, 0.085
-    spiral = []
-    for k in range(36):
-        a, r = math.radians(-90 + 18 * k), size * (1.0 - 0.88 * k / 35)
-        spiral.append((r, math.cos(a), math.sin(a)))
-    edges = [[(cy + (r + w) * c, cz + (r + w) * s) for r, c, s in spiral] for w in (ridge, -ridge)]
-    body = chain([((0, 1.1, 0.1), 0.1), ((0, 0.4, 0.22), 0.22), ((0, -0.6, 0.22), 0.22)])
-    stalk = capsule((0.12, -0.98, up), (0.26, -1.06, up + 0.52), 0.095)
+    """A shell that is a thick tube rolled up, on a soft body with a head and eyes on stalks."""
+    size, up, tail = draw(0.88, 0.92), draw(0.9, 1.0), draw(1.7, 1.8)
+    y, z, steps = 0.3, size + 0.5, 30
+    coil = []
+    for k in range(steps + 1):
+        angle, far = math.radians(-115 + 24 * k), size * (1 - k / steps)
+        at = (0.0, y + far * math.cos(angle), z + far * math.sin(angle))
+        coil.append((at, 0.33 - 0.15 * k / steps))
+    body = chain([((0, tail, 0.12), 0.1), ((0, 0.7, 0.3), 0.3), ((0, -0.8, 0.32), 0.32)])
+    x, front = 0.34, -1.34
     return {
-        "body": join(body, capsule((0, -0.6, 0.22), (0, -0.94, up), 0.23), both(stalk)),
-        "shell": join(
-            tube((-half, cy, cz), (half, cy, cz), size, 0.1),
-            prism([*edges[0], *reversed(edges[1])], 0, half + 0.09),
+        "body": join(
+            body,
+            capsule((0, -0.8, 0.32), (0, -1.12, up), 0.32),
+            both(capsule((0.15, -1.16, up), (x, front, up + 0.6), 0.11)),
         ),
-        "eyes": both(ball((0.26, -1.06, up + 0.56), 0.15)),
+        "shell": chain(coil),
+        "eyes": both(ball((x, front, up + 0.66), 0.2)),
     }
 
 

@@ -12,6 +12,7 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    mirrored,
     prism,
     smooth_curve,
     taper,
@@ -156,48 +157,39 @@ def nutcracker(draw: Draw) -> Parts:
 
 
 def mech(draw: Draw) -> Parts:
-    """A war machine on two legs: plates on dark joints, a cockpit, cannons at its shoulders."""
-    leg, wide, deep = draw(0.92, 1.06), draw(0.42, 0.5), draw(0.32, 0.4)
-    top, pad = leg + draw(0.74, 0.86), draw(0.25, 0.31)
-    x, z, foot = wide + pad + 0.04, top + 0.2, draw(0.24, 0.29)
-    a = draw(0.3, 0.36)
-    shin = prism([(-0.14, leg * 0.52), (-0.22, leg * 0.46), (-0.2, 0.1), (0.2, 0.1),
-                  (0.16, leg * 0.52)], 0, 0.19, a)  # fmt: skip
-    limbs = join(
-        shin,
-        box((a + 0.02, -0.12, 0.11), (foot, 0.42, 0.11), 0.04),
-        box((a, 0, leg * 0.78), (0.18, 0.2, leg * 0.17), 0.03),
-        box((x, 0, top - 0.14), (pad, 0.32, 0.24), 0.05),
-        box((x + 0.02, -0.12, top - 0.86), (0.2, 0.26, 0.27), 0.04),
-    )
-    joints = join(
-        both(tube((a, 0, 0.1), (a, 0, leg), 0.125)),
-        both(tube((x, -0.02, top - 0.9), (x, 0, top - 0.1), 0.125)),
-        both(box((x + 0.02, -0.16, top - 1.17), (0.15, 0.2, 0.12), 0.03)),
-        tube((0, 0, leg - 0.1), (0, 0, leg + 0.3), wide * 0.55),
-        tube((-x, 0, top - 0.2), (x, 0, top - 0.2), 0.15),
-        tube((0, 0, top - 0.1), (0, 0, z), 0.15),
-    )
-    chest = [(0.2, leg + 0.16), (wide, leg + 0.42), (wide, top - 0.06), (wide - 0.1, top)]
-    cannon = tube((x - 0.02, -0.5, top + 0.22), (x - 0.02, 0.3, top + 0.22), 0.135, 0.02)
-    head = 0.22
+    """A war machine of a few great blocks on dark joints: a cockpit, a crest, two cannons."""
+    leg, wide, pad = draw(1.06, 1.12), draw(0.52, 0.56), draw(0.27, 0.29)
+    top, a, deep = leg + draw(0.82, 0.88), 0.36, 0.36
+    x, z = wide + pad + 0.12, top + 0.32
+    shin = [(-0.26, 0.2), (0.28, 0.2), (0.2, leg - 0.2), (-0.2, leg - 0.2)]
+    trunk = [(0.3, leg + 0.22), (wide, leg + 0.5), (wide, top)]
+    fist = box((x, -0.12, top - 1.14), (0.16, 0.18, 0.16), 0.04)
     return {
         "armour": join(
-            prism([*chest, *((-u, v) for u, v in reversed(chest))], 1, deep),
-            box((0, 0, leg - 0.02), (0.26, 0.24, 0.14), 0.03),
-            both(limbs),
-            box((0, -0.02, z + 0.04), (head, head, 0.19), 0.05),
+            prism(mirrored(trunk), 1, deep),
+            box((0, 0, leg - 0.02), (0.54, 0.27, 0.14), 0.03),
+            both(join(
+                prism(shin, 0, 0.22, a),
+                box((a + 0.02, -0.14, 0.13), (0.26, 0.44, 0.13), 0.04),
+                box((x, 0, top - 0.14), (pad, 0.34, 0.28), 0.05),
+                box((x, -0.1, top - 0.8), (0.23, 0.29, 0.26), 0.04),
+            )),
+            box((0, -0.02, z), (0.27, 0.27, 0.23), 0.05),
         ),
-        "joints": joints,
-        "chest": join(
-            prism([(-deep - 0.16, top - 0.3), (-deep - 0.06, top - 0.1), (0, top - 0.1),
-                   (0, leg + 0.3), (-deep, leg + 0.3)], 0, wide * 0.56),
-            both(box((x, -0.3, top - 0.14), (pad * 0.6, 0.08, 0.1), 0.02)),
+        "joints": join(
+            both(tube((a, 0, 0.2), (a, 0, leg), 0.15)),
+            both(tube((x, -0.02, top - 0.9), (x, 0, top - 0.1), 0.15)),
+            both(fist),
+            tube((0, 0, leg), (0, 0, leg + 0.4), 0.26),
+            tube((-x, 0, top - 0.16), (x, 0, top - 0.16), 0.17),
+            tube((0, 0, top - 0.1), (0, 0, z), 0.17),
         ),
-        "visor": box((0, -head - 0.02, z + 0.06), (0.16, 0.07, 0.075), 0.02),
-        "crest": both(prism([(0, z + 0.15), (0.06, z + 0.24), (0.36, z + 0.5), (0.4, z + 0.36),
-                             (0.12, z + 0.1)], 1, 0.085, -head - 0.02)),
-        "cannons": both(cannon),
+        "chest": prism([(-deep - 0.2, top - 0.34), (-deep - 0.1, top - 0.1), (0, top - 0.1),
+                        (0, leg + 0.34), (-deep, leg + 0.34)], 0, 0.32),
+        "visor": box((0, -0.3, z), (0.2, 0.09, 0.085), 0.02),
+        "crest": both(prism([(0, z + 0.12), (0, z + 0.28), (0.42, z + 0.6), (0.5, z + 0.46),
+                             (0.14, z + 0.12)], 1, 0.1, -0.28)),
+        "cannons": both(tube((x, -0.62, top + 0.27), (x, 0.36, top + 0.27), 0.17, 0.03)),
     }  # fmt: skip
 
 

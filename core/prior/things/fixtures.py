@@ -28,42 +28,28 @@ from core.prior.solids import (
 
 
 def faucet(draw: Draw) -> Parts:
-    """A spout that bends over to the front, with two cross taps or with one lever."""
-    x, post, r = draw(0.78, 0.86), draw(0.4, 0.48), draw(0.15, 0.17)
-    lever = draw.chance(0.4)
-    bend, back, high = draw(0.42, 0.5), 0.2, draw(1.2, 1.36)
-    front, drop = back - 2 * bend, high - draw(0.2, 0.3)
+    """Two cross taps on one base, a spout between them that bends over to the front."""
+    x, r, back = draw(0.8, 0.84), draw(0.17, 0.18), 0.2
+    bend, high, z = draw(0.44, 0.47), draw(1.32, 1.4), draw(0.76, 0.8)
+    front, drop = back - 2 * bend, high - 0.2
     arch = cut(ring((0, back - bend, high), bend, r, 0), box((0, 0, high - 2), (4, 4, 2)))
     spout = join(
-        tube((0, back, 0.1), (0, back, high), r), arch, tube((0, front, drop), (0, front, high), r)
+        tube((0, back, 0.2), (0, back, high), r), arch, tube((0, front, drop), (0, front, high), r)
     )
-    if lever:
-        z = draw(0.66, 0.76)
-        handles = join(
-            tube((0, back, z), (0.46, back, z), 0.19, 0.04),
-            capsule((0.46, back, z), (0.46, back, z + 0.6), 0.115),
-        )
-        marks = [ball((s * 0.2, back - 0.24, 0.46), 0.12) for s in (1, -1)]
-        column = lathe([(0.32, 0.1), (0.26, z + 0.3)], 0.0, (0, back))
-        base = tube((0, back, 0), (0, back, 0.16), 0.5, 0.04)
-    else:
-        z = post + 0.2
-        cross = join(
-            capsule((-0.3, 0, z), (0.3, 0, z), 0.11), capsule((0, -0.3, z), (0, 0.3, z), 0.11)
-        )
-        handles = both(moved(cross, (x, back, 0)))
-        marks = [tube((s * x, back, z), (s * x, back, z + 0.2), 0.18, 0.03) for s in (1, -1)]
-        feet = lathe([(0.27, 0.1), (0.15, z)], 0.0, (x, back))
-        column = join(both(feet), tube((0, back, 0.1), (0, back, 0.5), r + 0.09, 0.03))
-        base = box((0, back, 0.09), (x + 0.34, 0.36, 0.09), 0.03)
-    tip = tube((0, front, drop - 0.18), (0, front, drop + 0.06), r + 0.07, 0.03)
+    cross = join(
+        capsule((-0.3, 0, z), (0.3, 0, z), 0.115), capsule((0, -0.3, z), (0, 0.3, z), 0.115)
+    )
     return {
-        "body": join(column, base),
+        "body": join(
+            both(lathe([(0.32, 0.1), (0.32, 0.3), (0.2, 0.5), (0.2, z)], 0.0, (x, back))),
+            tube((0, back, 0.1), (0, back, 0.5), r + 0.12, 0.04),
+            box((0, back, 0.13), (x + 0.4, 0.44, 0.13), 0.08),
+        ),
         "spout": spout,
-        "handles": handles,
-        "nozzle": tip,
-        "hot mark": marks[1],
-        "cold mark": marks[0],
+        "handles": both(moved(cross, (x, back, 0))),
+        "nozzle": tube((0, front, drop - 0.22), (0, front, drop + 0.1), r + 0.08, 0.03),
+        "hot mark": tube((-x, back, z), (-x, back, z + 0.22), 0.17, 0.03),
+        "cold mark": tube((x, back, z), (x, back, z + 0.22), 0.17, 0.03),
     }
 
 

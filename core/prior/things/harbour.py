@@ -112,41 +112,39 @@ def cruise_ship(draw: Draw) -> Parts:
 
 
 def garbage_truck(draw: Draw) -> Parts:
-    """A white cab, a big green box with ribs and a slanting loader behind it full of bags."""
-    x, y, r = draw(0.54, 0.58), draw(1.3, 1.36), draw(0.27, 0.29)
-    top, high, floor = draw(1.08, 1.14), draw(1.36, 1.44), 0.36
-    split, rear = -y + 0.72, y * 0.46
-    tyres, hubs = wheels(x - 0.08, ((-y + 0.4, r), (y * 0.16, r), (y * 0.62, r)), 0.14)
-    bin_side = [(split + 0.06, floor), (split + 0.06, high - 0.12), (split + 0.2, high),
+    """A white cab with a wide windscreen, a big green box with hoops, behind it a slanting loader
+    full of bags."""
+    x, y, r = draw(0.56, 0.58), draw(1.3, 1.34), draw(0.27, 0.28)
+    top, high, floor = draw(1.1, 1.14), draw(1.38, 1.42), 0.36
+    split, rear, cab = -y + 0.72, y * 0.46, x - 0.05
+    tyres, hubs = wheels(x - 0.08, ((-y + 0.42, r), (y * 0.1, r), (y * 0.62, r)), 0.14)
+    bin_side = [(split + 0.1, floor), (split + 0.1, high - 0.16), (split + 0.26, high),
                 (rear + 0.1, high), (rear + 0.1, floor)]  # fmt: skip
-    ribs = [split + 0.2 + k * (rear - split - 0.2) / 3 for k in range(4)]
+    hoops = [split + 0.36 + k * (rear - split - 0.44) / 2 for k in range(3)]
     tail = [(rear, 0.3), (rear, high - 0.02), (rear + 0.26, high - 0.02), (y + 0.12, 0.84),
             (y + 0.12, 0.3)]  # fmt: skip
     mouth = [(y - 0.2, 0.52), (y * 0.74, 1.14), (y + 1, 1.6), (y + 1, 0.52)]
-    cab = [(-y, 0.3), (-y, 0.7), (-y + 0.1, top), (split, top), (split, 0.3)]
-    shield = [(-y - 0.05, 0.72), (-y + 0.04, top - 0.1), (-y + 0.3, top - 0.1), (-y + 0.3, 0.72)]
+    middle, tall = (high + floor) / 2, (high - floor) / 2
     return {
         "cargo": join(
-            prism(bin_side, 0, x),
-            *(box((0, v, (high + floor) / 2), (x + 0.06, 0.06, (high - floor) / 2)) for v in ribs),
+            grown(prism(bin_side, 0, x - 0.04), 0.04),
+            *(box((0, v, middle), (x + 0.07, 0.08, tall + 0.09), 0.03) for v in hoops),
         ),
-        "cab": grown(prism(cab, 0, x - 0.08), 0.03),
+        "cab": box((0, (split - y) / 2, (top + 0.28) / 2),
+                   (cab, (split + y) / 2, (top - 0.28) / 2), 0.09),
         "hopper": join(
             cut(grown(prism(tail, 0, x), 0.03), prism(mouth, 0, x - 0.13)),
             box((0, 0, 0.34), (x * 0.66, y - 0.06, 0.11)),
         ),
         "windows": join(
-            prism(shield, 0, x - 0.16),
-            both(box((x - 0.06, -y + 0.4, 0.86), (0.06, 0.2, 0.15), 0.03)),
+            box((0, -y, top - 0.27), (cab - 0.11, 0.08, 0.19), 0.04),
+            both(box((cab, -y + 0.39, top - 0.27), (0.08, 0.18, 0.19), 0.04)),
         ),
         "wheels": tyres,
         "hubs": hubs,
         "bags": join(*(ball((u, y - 0.16, 0.7), 0.24) for u in (-0.24, 0.24)),
                      ball((0, y - 0.3, 0.92), 0.22), ball((0, y - 0.02, 0.6), 0.17)),
-        "lamps": join(
-            both(box((x * 0.62, -y - 0.02, 0.47), (0.12, 0.07, 0.08), 0.03)),
-            box((0, -y + 0.36, top + 0.06), (0.26, 0.09, 0.1), 0.04),
-        ),
+        "lamps": both(tube((cab * 0.62, -y - 0.04, 0.46), (cab * 0.62, -y + 0.04, 0.46), 0.12)),
     }  # fmt: skip
 
 

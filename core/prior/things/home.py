@@ -16,6 +16,7 @@ from core.prior.solids import (
     prism,
     ring,
     taper,
+    tilted,
     tube,
     turned,
 )
@@ -97,38 +98,32 @@ def throne(draw: Draw) -> Parts:
 
 
 def bunk_bed(draw: Draw) -> Parts:
-    """Two beds, one above the other, long sides to the front; a ladder there, the pillows left."""
-    x, y, low, high = draw(1.08, 1.18), draw(0.6, 0.68), draw(0.4, 0.46), draw(1.46, 1.56)
-    top, at, front, levels = high + draw(0.54, 0.6), x * 0.3, -y - 0.16, (low, high)
-    left = (at - 0.3 - x) / 2
-    posts = both(
-        join(
-            box((x, y, top / 2), (0.15, 0.15, top / 2), 0.03),
-            ball((x, y, top + 0.1), 0.19),
-        ),
-        0,
-        1,
-    )
-    ends = (both(box((x, 0, z + 0.16), (0.1, y, 0.38))) for z in levels)
-    guards = (box((left, -y, high + 0.46), (at - 0.3 - left, 0.1, 0.1)),
-              box((0, y, high + 0.46), (x, 0.1, 0.1)))  # fmt: skip
-    rungs = (
-        tube((at - 0.3, front, z), (at + 0.3, front, z), 0.1)
-        for z in (low - 0.02, (low + high) / 2, high)
-    )
-    sides = (
-        box((at + s, front, (high + 0.42) / 2), (0.11, 0.15, (high + 0.42) / 2), 0.03)
-        for s in (-0.3, 0.3)
+    """Two beds, one above the other, between four posts; a ladder leans at the front's right, a low
+    rail is on top, the pillows are left."""
+    x, y, low, high = draw(1.14, 1.18), draw(0.64, 0.67), draw(0.42, 0.45), draw(1.5, 1.54)
+    at, top, levels = x - 0.6, high + 0.76, (low, high)
+    posts = join(box((x, y, top / 2), (0.14, 0.14, top / 2), 0.03), ball((x, y, top + 0.08), 0.18))
+    beds = (box((0, 0, z), (x, y + 0.08, 0.14)) for z in levels)
+    ends = (both(box((x, 0, z + 0.12), (0.09, y, 0.34))) for z in levels)
+    side, rail = at - 0.44, high + 0.62
+    guards = (box(((side - x) / 2, -y, rail), ((side + x) / 2, 0.09, 0.09)),
+              box((side - 0.09, -y, rail - 0.22), (0.09, 0.09, 0.31)),
+              box((0, y, rail), (x, 0.09, 0.09)))  # fmt: skip
+    long = high + 0.52
+    steps = (0.34 + 0.4 * k for k in range(5))
+    ladder = join(
+        both(box((0.27, 0, long / 2), (0.08, 0.09, long / 2), 0.03)),
+        *(capsule((-0.27, 0, z), (0.27, 0, z), 0.075) for z in steps),
     )
     return {
-        "blanket": join(*(box((0.26, 0, z + 0.2), (x - 0.34, y, 0.24), 0.1) for z in levels)),
-        "mattress": join(*(box((0, 0, z + 0.17), (x - 0.05, y - 0.1, 0.18), 0.06) for z in levels)),
-        "pillow": join(*(egg((0.42 - x, 0, z + 0.38), (0.28, y * 0.7, 0.19)) for z in levels)),
-        "frame": join(
-            posts, *(box((0, 0, z), (x, y + 0.08, 0.13)) for z in levels), *ends, *guards
-        ),
-        "ladder": join(*rungs, *sides),
-    }
+        "blanket": join(*(box((0.3, 0, z + 0.36), (x - 0.44, y + 0.06, 0.14), 0.06)
+                          for z in levels)),
+        "mattress": join(*(box((0, 0, z + 0.2), (x - 0.08, y - 0.03, 0.19), 0.05)
+                           for z in levels)),
+        "pillow": join(*(egg((0.44 - x, 0, z + 0.44), (0.25, y * 0.7, 0.17)) for z in levels)),
+        "frame": join(both(posts, 0, 1), *beds, *ends, *guards),
+        "ladder": tilted(ladder, -9, (at, -y - 0.42, 0)),
+    }  # fmt: skip
 
 
 def coffee_table(draw: Draw) -> Parts:

@@ -19,7 +19,6 @@ from core.prior.solids import (
     smooth_curve,
     taper,
     tube,
-    within,
 )
 
 
@@ -267,50 +266,42 @@ def bell(draw: Draw) -> Parts:
 
 
 def bust(draw: Draw) -> Parts:
-    """A Roman's head on shoulders that are cut off, on a turned plinth; some are bearded."""
-    r, wide, low = draw(0.4, 0.44), draw(0.62, 0.7), draw(0.44, 0.5)
-    z, beard = low + draw(0.62, 0.68) + r * 1.2, draw.chance(0.4)
-    front, lean = -r * 0.94, -0.03
-    chest = egg((0, 0, low + 0.34), (wide, 0.38, 0.5))
-    sliced = cut(
-        chest, box((0, 0, low - 0.92), (2, 2, 1)), both(box((wide + 0.92, 0, low), (1, 2, 2)))
-    )
-    skull = blend(
-        0.1,
-        egg((0, 0.04, z + 0.06), (r * 0.86, r, r * 1.06)),
-        egg((0, -r * 0.26, z - r * 0.5), (r * 0.66, r * 0.66, r * 0.66)),
-        ball((0, front + 0.12, z - r * 0.98), 0.1),
-    )
-    nose = taper((0, front + 0.04, z + r * 0.14), (0, front - 0.07, z - r * 0.28), 0.08, 0.1)
-    brow = capsule((0.08, front + 0.02, z + r * 0.28), (r * 0.6, front + 0.12, z + r * 0.24), 0.075)
-    lips = join(
-        *(capsule((-0.07, front + 0.03, v), (0.07, front + 0.03, v), 0.065)
-          for v in (z - r * 0.56, z - r * 0.7))
+    """A marble hero: a cap of great curls, a straight nose, shoulders cut off, a round pedestal."""
+    r, wide, low = draw(0.43, 0.46), draw(0.66, 0.72), draw(0.42, 0.46)
+    z = low + draw(1.24, 1.3)
+    front = -r * 0.98
+    chest = blend(0.2, egg((0, 0, low + 0.3), (wide, 0.38, 0.42)),
+                  taper((0, 0.04, low + 0.4), (0, 0.04, z - r * 0.4), 0.3, 0.24))  # fmt: skip
+    sides = both(box((wide + 0.86, 0, low), (1, 2, 2)))
+    brow = z + r * 0.16
+    arches = both(capsule((0.06, front + 0.02, brow), (r * 0.56, front + 0.13, brow), 0.085))
+    skull = blend(0.1, egg((0, 0.02, z), (r * 0.84, r, r * 1.1)), arches,
+                  egg((0, -r * 0.4, z - r * 0.72), (r * 0.56, r * 0.56, r * 0.56)))  # fmt: skip
+    curls = (
+        ball((r * u, r * v, z + r * t), 0.17)
+        for u, v, t in ((0.0, -0.8, 0.78), (0.42, -0.66, 0.76), (0.72, -0.34, 0.56),
+                        (0.0, -0.36, 1.02), (0.42, -0.04, 0.96), (0.76, 0.16, 0.58),
+                        (0.84, 0.3, 0.12), (0.0, 0.36, 1.0), (0.42, 0.58, 0.72), (0.0, 0.86, 0.6),
+                        (0.64, 0.68, 0.26), (0.26, 0.96, 0.16), (0.48, 0.7, -0.24),
+                        (0.0, 0.84, -0.3))
     )  # fmt: skip
-    curls = [
-        egg((r * u, -r * v, z + r * t), (0.14, 0.13, 0.12))
-        for u, v, t in ((0.0, 0.78, 0.86), (0.36, 0.72, 0.84), (0.68, 0.5, 0.74), (0.88, 0.2, 0.5))
-    ]
-    cap = cut(
-        egg((0, 0.08, z + 0.1), (r * 0.98, r * 1.06, r * 1.14)),
-        box((0, -r * 1.1, z - 0.4), (1, r, r * 0.66 + 0.4)),
-        box((0, 0, z - r * 0.5 - 1), (2, 2, 1)),
-    )
-    hair = [cap, both(join(*curls))]
-    if beard:
-        hair.append(within(egg((0, -r * 0.36, z - r * 0.86), (r * 0.72, r * 0.7, r * 0.62)),
-                           box((0, 0, z - r * 0.5 - 1), (2, 2, 1))))  # fmt: skip
-        moustache = (0.05, front + 0.02, z - r * 0.46), (0.2, front + 0.1, z - r * 0.62)
-        hair.append(both(capsule(*moustache, 0.065)))
-    plinth = [(0.44, 0.0), (0.44, 0.14), (0.28, 0.2), (0.21, 0.32), (0.28, low), (0.33, low)]
-    neck = tube((0, 0.06, low + 0.3), (0, lean + 0.06, z - 0.2), r * 0.56)
-    ears = both(egg((r * 0.86, 0.06, z - 0.04), (0.08, 0.12, 0.15)))
+    plinth = [(0.46, 0.0), (0.46, 0.14), (0.36, 0.2), (0.24, 0.28), (0.24, 0.32), (0.36, low),
+              (0.36, low + 0.1)]  # fmt: skip
+    ridge = [(front + 0.12, brow + 0.04), (front - 0.04, brow - 0.02),
+             (front - 0.14, z - r * 0.48), (front + 0.12, z - r * 0.54)]  # fmt: skip
+    lips = (egg((0, front + 0.06, v), (half, 0.1, 0.075))
+            for half, v in ((0.15, z - r * 0.76), (0.1, z - r * 0.92)))  # fmt: skip
     return {
-        "body": join(sliced, neck, skull, ears),
-        "hair": join(*hair),
-        "base": lathe([*plinth, (0.33, low + 0.12)], 0.01),
-        "face": join(nose, both(brow), both(ball((r * 0.36, front + 0.1, z + 0.01), 0.1)), lips),
-    }
+        "body": join(cut(chest, box((0, 0, low - 0.92), (2, 2, 1)), sides), skull,
+                     both(egg((r * 0.86, 0.02, z - 0.06), (0.1, 0.13, 0.17)))),
+        "hair": both(join(*curls)),
+        "base": lathe(plinth, 0.02),
+        "face": join(
+            prism(ridge, 0, 0.08),
+            both(ball((r * 0.38, front + 0.1, brow - 0.12), 0.11)),
+            *lips,
+        ),
+    }  # fmt: skip
 
 
 def trophy(draw: Draw) -> Parts:

@@ -9,6 +9,7 @@ from core.prior.solids import (
     ball,
     both,
     box,
+    capsule,
     chain,
     cut,
     egg,
@@ -134,28 +135,27 @@ def ladybug(draw: Draw) -> Parts:
 
 
 def dragonfly(draw: Draw) -> Parts:
-    """A long banded tail, four narrow wings held out flat, huge eyes."""
-    long, span, z = draw(1.25, 1.45), draw(1.15, 1.32), 0.5
-    y, lift = -0.74, draw(4, 14)
-    vane = [(0, -0.1), (0.35, -0.16), (span * 0.8, -0.2), (span, -0.08), (span * 0.96, 0.08),
-            (span * 0.7, 0.18), (0.35, 0.13), (0, 0.08)]  # fmt: skip
-    pairs = []
-    for at, turn, size in ((-0.3, -14, 1.0), (0.1, 12, 0.92)):
-        wing = prism([(a * size, b) for a, b in smooth_curve(vane, 3)], 2, 0.08)
-        pairs.append(moved(turned(turned(wing, 1, -lift), 2, turn), (0.04, at, z + 0.14)))
-    tail = taper((0, 0.2, z), (0, 0.2 + long, z + 0.02), 0.15, 0.12)
-    bands = [
-        tube((0, at - 0.08, z), (0, at + 0.08, z), 0.18)
-        for at in (0.2 + long * share for share in (0.32, 0.6, 0.88))
-    ]
-    legs = [taper((0.12, at, z - 0.1), (0.34, at * 1.3, 0.1), 0.1, 0.09)
-            for at in (-0.46, -0.16, 0.14)]  # fmt: skip
+    """A long slim banded tail, four rounded wings held well apart, two huge eyes, six legs."""
+    long, span, z = draw(1.4, 1.5), draw(1.28, 1.38), 0.56
+    vane = [(0, -0.1), (0.4, -0.17), (span - 0.24, -0.24), (span, 0), (span - 0.24, 0.24),
+            (0.4, 0.17), (0, 0.1)]  # fmt: skip
+    wing = turned(prism(smooth_curve(vane, 3), 2, 0.085), 1, -8)
+    pairs = (moved(turned(wing, 2, turn), (0.06, at, z + 0.16)) for at, turn in
+             ((-0.36, -12), (-0.02, 26)))  # fmt: skip
+    bands = (tube((0, at - 0.08, z), (0, at + 0.08, z), 0.215, 0.03) for at in
+             (0.2 + long * share for share in (0.3, 0.56, 0.82)))  # fmt: skip
+    legs = (taper((0.14, at * 0.7 - 0.16, z - 0.1), (0.42, at - 0.2, 0.11), 0.12, 0.11)
+            for at in (-0.5, 0.0, 0.5))  # fmt: skip
     return {
-        "body": join(tail, egg((0, -0.16, z), (0.25, 0.46, 0.26)), ball((0, y + 0.08, z), 0.2)),
+        "body": join(
+            capsule((0, 0.1, z), (0, 0.2 + long, z), 0.14),
+            egg((0, -0.2, z), (0.3, 0.48, 0.3)),
+            ball((0, -0.74, z), 0.24),
+        ),
         "stripes": join(*bands),
         "wings": both(join(*pairs)),
         "legs": both(join(*legs)),
-        "eyes": both(egg((0.18, y - 0.04, z + 0.06), (0.2, 0.22, 0.22))),
+        "eyes": both(ball((0.23, -0.86, z + 0.08), 0.25)),
     }
 
 

@@ -10,7 +10,6 @@ from core.prior.solids import (
     both,
     box,
     egg,
-    grown,
     join,
     limb,
     moved,
@@ -94,56 +93,36 @@ def chameleon(draw: Draw) -> Parts:
 
 
 def axolotl(draw: Draw) -> Parts:
-    """Pink: a broad smiling head between six feathery gills, short legs, a tail with a fin."""
-    wide, head = draw(0.4, 0.43), draw(0.72, 0.77)
-    z, y = 0.5, -0.72
-    up, face = 0.66, y - 0.5
-    frill = [(0.0, 0.12), (0.18, 0.13), (0.3, 0.23), (0.38, 0.18), (0.52, 0.25), (0.58, 0.18),
-             (0.7, 0.2), (0.74, 0.12), (0.86, 0.0)]  # fmt: skip
-    fringe = grown(prism([*frill, *((u, -v) for u, v in reversed(frill[:-1]))], 1, 0.06), 0.04)
-    stalk = taper((-0.1, 0, 0), (0.24, -0.02, 0), 0.17, 0.14)
-    gills, stalks = (
-        join(*(moved(turned(turned(one, 1, -turn), 2, 14), (head * out, y + 0.2, up + rise))
-               for turn, out, rise in ((-8, 0.86, 0.0), (28, 0.74, 0.22), (62, 0.46, 0.36))))
-        for one in (fringe, stalk)
+    """Pink: a broad smiling head, three tapered frills on each side, four legs, a finned tail."""
+    wide, head, far = draw(0.4, 0.43), draw(0.74, 0.78), draw(0.76, 0.82)
+    z, y, up = 0.5, -0.72, 0.68
+    face = y - 0.5
+    frill = smooth_curve([(0.0, -0.1), (far * 0.4, -0.2), (far, 0.0), (far * 0.4, 0.2), (0.0, 0.1)])
+    gills = (
+        moved(turned(turned(prism(frill, 1, 0.1), 1, -turn), 2, 16),
+              (head * out, y + 0.24, up + rise))
+        for turn, out, rise in ((-6, 0.8, -0.02), (32, 0.7, 0.2), (70, 0.44, 0.3))
     )  # fmt: skip
-    smile = [(-0.34, 0.06), (-0.2, -0.04), (0, -0.07), (0.2, -0.04), (0.34, 0.06)]
-    fin = smooth_curve(
-        [
-            (-0.2, z + 0.3),
-            (0.3, z + 0.5),
-            (0.9, z + 0.56),
-            (1.46, z + 0.5),
-            (1.84, z + 0.12),
-            (1.5, z - 0.24),
-            (1.0, z - 0.3),
-            (0.6, z - 0.1),
-        ]
-    )
-    leg = [
-        limb(
-            [
-                (wide * 0.7, at, z - 0.1),
-                (wide + 0.18, at - 0.06, 0.24),
-                (wide + 0.22, at - 0.2, 0.12),
-            ],
-            0.17,
-            0.13,
-        )
-        for at in (-0.3, 0.5)
-    ]
+    smile = ((-0.34, 0.1), (-0.2, -0.02), (0, -0.07), (0.2, -0.02), (0.34, 0.1))
+    fin = [(-0.1, z + 0.3), (0.4, z + 0.5), (1.0, z + 0.62), (1.5, z + 0.54), (1.86, z + 0.14),
+           (1.5, z - 0.26), (1.0, z - 0.32), (0.6, z - 0.1)]  # fmt: skip
+    legs = (
+        limb([(wide * 0.6, at, z - 0.1), (wide + 0.3, at - 0.08, 0.26),
+              (wide + 0.42, at - 0.26, 0.15)], 0.18, 0.15)
+        for at in (-0.24, 0.6)
+    )  # fmt: skip
     return {
         "body": join(
-            blend(0.16, egg((0, y, up), (head, 0.54, 0.46)),
-                  egg((0, 0.1, z), (wide, 0.74, 0.38)),
-                  taper((0, 0.5, z), (0, 1.5, z + 0.1), 0.26, 0.12)),
-            both(join(*leg, stalks)),
+            blend(0.16, egg((0, y, up), (head, 0.54, 0.48)),
+                  egg((0, 0.1, z), (wide, 0.74, 0.4)),
+                  taper((0, 0.5, z), (0, 1.5, z + 0.1), 0.28, 0.14)),
+            both(join(*legs)),
         ),
-        "fin": prism(fin, 0, 0.1),
-        "gills": both(gills),
-        "mouth": limb([(u, face - 0.02 + 0.6 * u * u, up - 0.1 + v) for u, v in smile], 0.07, 0.07),
-        "cheeks": both(egg((head * 0.62, face + 0.18, up - 0.08), (0.14, 0.1, 0.1))),
-        "eyes": eyes(head * 0.54, face + 0.1, up + 0.15, 0.11),
+        "fin": prism(smooth_curve(fin), 0, 0.1),
+        "gills": both(join(*gills)),
+        "mouth": limb([(u, face + 0.6 * u * u, up - 0.12 + v) for u, v in smile], 0.08, 0.08),
+        "cheeks": both(ball((head * 0.76, face + 0.24, up - 0.08), 0.13)),
+        "eyes": eyes(head * 0.56, face + 0.14, up + 0.22, 0.14),
     }  # fmt: skip
 
 

@@ -14,7 +14,6 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
-    egg,
     join,
     lathe,
     mirrored,
@@ -126,25 +125,23 @@ def snow_globe(draw: Draw) -> Parts:
 
 
 def desk_lamp(draw: Draw) -> Parts:
-    """Two arms with joints on a round foot, a shade like a funnel that looks down to the left."""
-    foot, lean, tilt = draw(0.48, 0.56), draw(0.34, 0.46), draw(26, 36)
-    lower, upper, mouth = draw(0.78, 0.9), draw(0.8, 0.92), draw(0.4, 0.46)
-    x, z, arm = 0.35, 0.16, 0.085
-    elbow = (x + lower * math.sin(lean), 0, z + lower * math.cos(lean))
-    head = (elbow[0] - upper * 0.88, 0, elbow[2] + upper * 0.46)
-    cone = [(mouth, -0.5), (mouth, -0.42), (0.2, 0.04), (0.17, 0.2)]
-    hollow = lathe([(mouth - 0.08, -0.7), (mouth - 0.08, -0.44), (0.1, -0.04)])
+    """Two arms with joints on a round foot, a shade like a funnel that faces the front, a bulb."""
+    foot, tilt, mouth = draw(0.56, 0.6), draw(62, 66), draw(0.54, 0.58)
+    elbow, neck = (0, draw(0.56, 0.6), draw(1.0, 1.06)), (0, 0.12, draw(1.62, 1.68))
+    low, arm = (0, 0.1, 0.2), 0.09
+    cone = [(mouth, -0.94), (mouth, -0.86), (0.24, -0.28), (0.24, -0.06)]
+    hollow = lathe([(mouth - 0.1, -1.2), (mouth - 0.1, -0.9), (0.14, -0.34)])
 
     def hung(solid: Solid) -> Solid:
-        return moved(turned(solid, 1, tilt), head)
+        return moved(turned(solid, 0, -tilt), neck)
 
-    joints = [tube((px, -0.14, pz), (px, 0.14, pz), 0.14) for px, _, pz in (elbow, head)]
+    joints = [tube((-0.19, py, pz), (0.19, py, pz), 0.17, 0.03) for _, py, pz in (elbow, neck)]
     return {
-        "base": tube((x, 0, 0), (x, 0, 0.15), foot, 0.04),
-        "arms": join(capsule((x, 0, z), elbow, arm), capsule(elbow, head, arm)),
-        "joints": join(*joints, egg((x, 0, z), (0.17, 0.17, 0.14))),
+        "base": tube((0, 0, 0), (0, 0, 0.17), foot, 0.05),
+        "arms": join(capsule(low, elbow, arm), capsule(elbow, neck, arm)),
+        "joints": join(*joints, ball(low, 0.2)),
         "shade": hung(cut(lathe(cone, 0.01), hollow)),
-        "bulb": hung(ball((0, 0, -0.44), 0.22)),
+        "bulb": hung(ball((0, 0, -0.84), 0.27)),
     }
 
 
@@ -208,25 +205,22 @@ def christmas_tree(draw: Draw) -> Parts:
 
 
 def cardboard_box(draw: Draw) -> Parts:
-    """Open, its four flaps spread, tape down its front and back, a label and arrows on it."""
-    x, y, high, wall = draw(0.76, 0.86), draw(0.58, 0.68), draw(0.95, 1.1), 0.075
-    flap, slope, wide = draw(0.42, 0.48), draw(8, 18), 0.13
+    """Open, its four flaps folded outwards, tape down front and back, a label and an arrow."""
+    x, y, high, wall = draw(0.84, 0.88), draw(0.66, 0.7), draw(1.1, 1.16), 0.075
+    flap, slope = draw(0.42, 0.46), draw(15, 19)
     inside = box((0, 0, 0.16 + high), (x - 2 * wall, y - 2 * wall, high))
 
-    def hinged(half: float, along: float, turns: float) -> Solid:
-        leaf = box((flap / 2, 0, 0), (flap / 2, half, wall))
-        return moved(turned(leaf, 1, slope * turns), (along - wall, 0, high - wall))
+    def hinged(half: float, along: float) -> Solid:
+        leaf = box((flap / 2, 0, 0), (flap / 2, half - 0.13, wall))
+        return moved(turned(leaf, 1, slope), (along - wall, 0, high - wall))
 
-    end, side = hinged(y, x, draw(0.8, 1.2)), turned(hinged(x, y, draw(0.8, 1.2)), 2, 90)
-    right = [(0.07, -0.22), (0.07, 0.0), (0.18, 0.0), (0.0, 0.22)]
-    arrow = prism(mirrored(right), 1, 0.04)
-    signs = [moved(arrow, (-x * 0.56 + side * 0.2, -y, high * 0.4)) for side in (-1, 1)]
+    arrow = prism(mirrored([(0.08, -0.26), (0.08, 0), (0.21, 0), (0, 0.26)]), 1, 0.07)
     return {
         "body": cut(box((0, 0, high / 2), (x, y, high / 2), 0.02), inside),
-        "flaps": join(both(end), both(side, 1)),
-        "tape": both(box((0, y, high * 0.5), (wide, 0.03, high * 0.5)), 1),
-        "label": box((x * 0.55, -y, high * 0.36), (x * 0.28, 0.03, high * 0.18)),
-        "arrows": join(*signs),
+        "flaps": join(both(hinged(y, x)), both(turned(hinged(x, y), 2, 90), 1)),
+        "tape": both(box((0, y, high * 0.34), (0.14, 0.07, high * 0.34)), 1),
+        "label": box((x * 0.57, -y, high * 0.37), (x * 0.26, 0.07, high * 0.17)),
+        "arrows": moved(arrow, (-x * 0.58, -y, high * 0.36)),
     }
 
 

@@ -21,6 +21,7 @@ from core.prior.solids import (
     ring,
     tube,
     turned,
+    within,
 )
 
 
@@ -114,26 +115,26 @@ def rake(draw: Draw) -> Parts:
 
 
 def maracas(draw: Draw) -> Parts:
-    """A pair, crossed."""
-    lean, wide, long = draw(30, 35), draw(0.42, 0.48), draw(0.54, 0.62)
-    grip, end, apart = draw(1.05, 1.2), draw(0.15, 0.18), draw(0.3, 0.38)
+    """A pair, crossed: round heads with a thick belt and a cap, on handles with a knob."""
+    lean, wide, long = draw(36, 40), draw(0.43, 0.47), draw(0.52, 0.57)
+    grip, apart = draw(1.16, 1.26), draw(0.34, 0.38)
     z = grip + long * 0.8
 
     def crossed(solid: Solid) -> Solid:
         return join(
-            *(moved(turned(solid, 1, -side * lean), (side * apart, 0, 0.16)) for side in (-1, 1))
+            *(moved(turned(solid, 1, -side * lean), (side * apart, 0, 0.2)) for side in (-1, 1))
         )
 
-    def belt(at: float, high: float) -> Solid:
-        a, b = (wide * math.sqrt(1 - (u / long) ** 2) + 0.035 for u in (at - high, at + high))
-        return lathe([(a, z + at - high), (b, z + at + high)])
+    def head(more: float) -> Solid:
+        return egg((0, 0, z), (wide + more, wide + more, long + more))
 
+    handle = [(0.11, 0.0), (0.13, grip * 0.5), (0.17, grip), (0.2, grip + 0.1)]
     return {
-        "heads": crossed(egg((0, 0, z), (wide, wide, long))),
-        "bands": crossed(join(belt(long * 0.02, 0.12), belt(-long * 0.48, 0.07))),
-        "tops": crossed(ball((0, 0, z + long * 0.7), wide * 0.56)),
-        "handles": crossed(lathe([(0.1, 0.0), (0.13, grip * 0.6), (0.16, grip + 0.1)], 0.01)),
-        "knobs": crossed(ball((0, 0, 0), end)),
+        "heads": crossed(head(0.0)),
+        "bands": crossed(tube((0, 0, z - 0.15), (0, 0, z + 0.15), wide + 0.085, 0.03)),
+        "tops": crossed(within(head(0.06), box((0, 0, z + long * 0.7 + 1), (1, 1, 1)))),
+        "handles": crossed(lathe(handle, 0.01)),
+        "knobs": crossed(ball((0, 0, 0), 0.2)),
     }
 
 

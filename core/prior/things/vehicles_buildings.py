@@ -111,40 +111,37 @@ def truck(draw: Draw) -> Parts:
 
 
 def airplane(draw: Draw) -> Parts:
-    """An airliner, its nose to the front: swept wings over two engines, a windscreen, a band."""
-    r, span, sweep = draw(0.23, 0.26), draw(1.24, 1.36), draw(0.5, 0.62)
-    nose, tail, half = -1.3, draw(1.24, 1.32), 0.09
-    out = [(0.0, 0.0), (0.4, 0.02), (0.72, 0.12), (0.92, 0.28), (1.0, 0.5)]
-    shape = [(r * u, v) for u, v in smooth_curve(out)]
-    stern = [(r, tail - nose - 0.9), (r * 0.78, tail - nose - 0.4), (0.08, tail - nose)]
+    """A plump airliner: swept wings, a great engine hung under each, portholes, a tall fin."""
+    r, span, sweep = draw(0.29, 0.31), draw(1.24, 1.32), draw(0.46, 0.54)
+    nose, tail, half, low = -1.3, draw(1.26, 1.32), 0.08, -0.17
+    out = [(0.0, 0.0), (0.36, 0.02), (0.76, 0.16), (0.95, 0.38), (1.0, 0.6), (1.0, 1.2), (1.0, 1.7)]
+    shape = smooth_curve([*((r * u, v) for u, v in out), (r * 0.8, 2.1), (0.1, tail - nose)])
 
     def fuselage(more: float) -> Solid:
-        return tilted(turned(lathe([*shape, *stern], more), 0, 180), 90, (0, nose, 0))
+        return tilted(turned(lathe(shape, more), 0, 180), 90, (0, nose, 0))
 
-    wing = [(0, -0.44), (r, -0.4), (span, sweep), (span, sweep + 0.22), (r + 0.2, 0.26), (0, 0.26)]
-    rear = [(0, tail - 0.46), (0.56, tail - 0.08), (0.56, tail + 0.14), (0, tail - 0.02)]
-    fin = [(tail - 0.62, 0.1), (tail - 0.54, r - 0.02), (tail - 0.1, r + 0.52),
-           (tail + 0.16, r + 0.52), (tail - 0.02, 0.1)]  # fmt: skip
-    x, z = span * 0.4, -0.34
-    y = sweep * 0.4 - 0.34
-    nacelle = [(0.1, 0.0), (0.14, 0.14), (0.18, 0.4), (0.17, 0.6), (0.13, 0.62)]
-    engine = join(
-        tilted(lathe(nacelle), 90, (x, y + 0.32, z)),
-        box((x, y + 0.1, z + 0.16), (0.09, 0.2, 0.12)),
-    )
-    screen = [(nose + 0.14, r * 0.3), (nose + 0.46, r * 0.3), (nose + 0.46, r * 0.74),
-              (nose + 0.3, r + 0.2), (nose + 0.14, r + 0.2)]  # fmt: skip
-    band = box((0, 0.08, 0.05), (1, tail * 0.52, 0.09))
+    wing = [(0, -0.44), (r, -0.4), (span, sweep), (span, sweep + 0.26), (r + 0.2, 0.3), (0, 0.3)]
+    rear = [(0, tail - 0.5), (0.6, tail - 0.14), (0.6, tail + 0.1), (0, tail - 0.06)]
+    fin = [(tail - 0.74, 0.1), (tail - 0.7, r - 0.04), (tail - 0.2, r + 0.6),
+           (tail + 0.12, r + 0.6), (tail - 0.06, 0.1)]  # fmt: skip
+    x, y, z = span * 0.43, -0.2, low - 0.44
+    barrel = [(0.19, 0.0), (0.225, 0.06), (0.225, 0.3), (0.14, 0.62)]
+    screen = [(nose + 0.18, 0.05), (nose + 0.46, 0.05), (nose + 0.54, r + 0.1),
+              (nose + 0.32, r + 0.1)]  # fmt: skip
+    panes = (capsule((r, v, 0.04), (r, v, 0.14), 0.08) for v in (-0.52, -0.26, 0.0, 0.26, 0.52))
     return {
         "body": fuselage(0.0),
-        "wings": both(prism(wing, 2, half, -0.1)),
-        "windows": join(
-            within(fuselage(0.06), prism(screen, 0, 1)),
-            cut(within(fuselage(0.07), band), box((0, 0, 0), (r - 0.1, 2, 1))),
+        "wings": both(prism(wing, 2, half, low)),
+        "windows": join(within(fuselage(0.08), prism(screen, 0, 1)), both(join(*panes))),
+        "engines": both(
+            join(
+                cut(tilted(turned(lathe(barrel), 0, 180), 90, (x, y - 0.3, z)),
+                    tube((x, y - 1, z), (x, y - 0.18, z), 0.13)),
+                box((x, y + 0.04, low - 0.2), (0.07, 0.16, 0.18)),
+            )
         ),
-        "engines": both(engine),
         "tail": join(both(prism(rear, 2, half, 0.06)), prism(fin, 0, half)),
-    }
+    }  # fmt: skip
 
 
 def boat(draw: Draw) -> Parts:

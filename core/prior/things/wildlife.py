@@ -139,33 +139,33 @@ def ostrich(draw: Draw) -> Parts:
 
 
 def beaver(draw: Draw) -> Parts:
-    """Sits up, its broad flat tail raised behind it; a great tooth, small round ears."""
-    wide, head, long = draw(0.48, 0.56), draw(0.4, 0.46), draw(1.1, 1.3)
-    z, flat, lift = draw(1.26, 1.4), draw(0.42, 0.5), draw(38, 48)
-    half = [(flat * 0.5, 0), (flat, long * 0.35), (flat, long * 0.75), (flat * 0.5, long)]
-    lines = (box((0, long * s, 0.1), (flat * 0.7, 0.07, 0.06)) for s in (0.36, 0.6, 0.84))
-    face, root = -0.1 - head, (0, wide * 0.7, 0.16)
+    """Sits up, its broad flat tail raised behind it; two great teeth, small round ears."""
+    wide, head, long = draw(0.5, 0.54), draw(0.45, 0.48), draw(1.2, 1.3)
+    z, flat, lift = draw(1.32, 1.38), draw(0.58, 0.62), draw(48, 52)
+    half = [(0.2, 0), (flat * 0.9, long * 0.34), (flat, long * 0.66), (flat * 0.6, long * 0.96)]
+    lines = (box((0, long * s, 0.0), (flat * 0.66, 0.075, 0.17)) for s in (0.36, 0.6, 0.84))
+    face, root = -0.12 - head, (0, wide * 0.6, 0.24)
     return {
         "body": join(
-            capsule((0, 0, wide), (0, 0, 0.8), wide),
-            ball((0, -0.1, z), head),
-            both(ball((head * 0.76, -0.02, z + head * 0.7), 0.15)),
-            both(capsule((wide * 0.9, -0.06, 0.9), (0.26, -wide - 0.1, 0.72), 0.14)),
-            both(ball((wide * 0.8, -0.1, 0.3), 0.3)),
+            taper((0, 0, wide), (0, -0.02, 0.9), wide, 0.42),
+            ball((0, -0.12, z), head),
+            both(ball((head * 0.78, -0.04, z + head * 0.7), 0.17)),
+            both(capsule((wide * 0.84, -0.06, 0.9), (0.26, -wide - 0.02, 0.62), 0.15)),
+            both(ball((wide * 0.8, -0.12, 0.3), 0.3)),
         ),
         "belly": join(
-            capsule((0, -0.08, wide), (0, -0.08, 0.72), wide - 0.03),
-            both(ball((0.15, face + 0.02, z - 0.16), 0.19)),
+            egg((0, -0.26, 0.58), (0.36, 0.36, 0.46)),
+            both(ball((0.16, face + 0.04, z - 0.14), 0.22)),
         ),
-        "tail": tilted(prism(mirrored(half), 2, 0.1), lift, root),
+        "tail": tilted(prism(smooth_curve(mirrored(half)), 2, 0.1), lift, root),
         "lines": join(
-            both(capsule((wide * 0.72, -0.3, 0.12), (wide * 0.72, -0.66, 0.12), 0.15)),
+            both(capsule((wide * 0.74, -0.32, 0.14), (wide * 0.74, -0.7, 0.14), 0.16)),
             tilted(join(*lines), lift, root),
         ),
-        "teeth": box((0, face, z - 0.38), (0.12, 0.18, 0.15)),
+        "teeth": both(box((0.085, face - 0.04, z - 0.38), (0.125, 0.1, 0.16), 0.06)),
         "eyes": join(
-            eyes(head * 0.48, face + head * 0.2, z + 0.14, 0.1),
-            ball((0, face - 0.13, z), 0.1),
+            eyes(head * 0.5, face + head * 0.18, z + 0.19, 0.11),
+            ball((0, face - 0.17, z + 0.0), 0.13),
         ),
     }
 

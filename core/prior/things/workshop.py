@@ -130,30 +130,28 @@ def tire(draw: Draw) -> Parts:
 
 
 def boombox(draw: Draw) -> Parts:
-    """Two large speakers, a cassette deck between them, buttons and a handle on top, an aerial."""
-    x, y, half = draw(1.32, 1.38), draw(0.34, 0.38), draw(0.6, 0.64)
-    at, r, top = x * 0.6, draw(0.41, 0.43), 2 * half
-    deck = box((0, -y - 0.02, half * 0.8), (0.25, 0.1, 0.25), 0.03)
-    reels = both(tube((0.13, -y - 0.2, half * 0.8), (0.13, -y, half * 0.8), 0.09, 0.02))
-
-    def disc(radius: float, out: float) -> Solid:
-        return tube((at, -y - out, half), (at, 0, half), radius, 0.02)
-
+    """Two large speakers, a cassette deck between them, buttons, a bright handle and aerial."""
+    x, y, half = draw(1.32, 1.36), draw(0.36, 0.38), draw(0.57, 0.6)
+    at, r, top = x * 0.63, draw(0.38, 0.4), 2 * half
+    speaker = join(tube((at, -y - 0.05, half), (at, 0, half), r),
+                   ball((at, -y - 0.02, half), 0.17))  # fmt: skip
     bow = join(
-        both(box((x * 0.66, 0, top + 0.14), (0.11, 0.12, 0.26), 0.04)),
-        box((0, 0, top + 0.36), (x * 0.66 + 0.11, 0.12, 0.11), 0.05),
+        both(box((x * 0.54, 0, top + 0.12), (0.12, 0.13, 0.26), 0.04)),
+        box((0, 0, top + 0.36), (x * 0.54 + 0.12, 0.13, 0.12), 0.05),
     )
-    keys = [box((0.24 * k, -y + 0.14, top + 0.02), (0.075, 0.12, 0.1), 0.03) for k in (-1, 0, 1)]
-    tip = (x + 0.14, y * 0.5, top + 0.96)
+    keys = [box((0.32 * k, -y + 0.17, top + 0.02), (0.1, 0.13, 0.13), 0.04) for k in (-1, 0, 1)]
+    foot, tip = (x - 0.16, 0.06, top - 0.1), (x + 0.06, 0.06, top + 0.86)
     return {
         "body": box((0, 0, half), (x, y, half), 0.1),
-        "rims": both(cut(disc(r + 0.08, 0.1), disc(r - 0.06, 0.9))),
-        "speakers": both(join(disc(r, 0.03), disc(0.18, 0.12))),
-        "deck": join(deck, box((0, -y, half * 1.56), (0.28, 0.08, 0.13), 0.03)),
-        "reels": reels,
+        "rims": both(ring((at, -y, half), r, 0.1, 1)),
+        "speakers": both(speaker),
+        "deck": join(
+            box((0, -y, half * 0.68), (0.27, 0.09, 0.21), 0.03),
+            box((0, -y, half * 1.52), (0.27, 0.09, 0.13), 0.03),
+        ),
+        "reels": both(tube((0.14, -y - 0.18, half * 0.68), (0.14, -y, half * 0.68), 0.09, 0.02)),
         "buttons": join(*keys),
-        "handle": bow,
-        "aerial": join(capsule((x - 0.2, y * 0.5, top - 0.1), tip, 0.075), ball(tip, 0.12)),
+        "handle": join(bow, capsule(foot, tip, 0.08), ball(tip, 0.13)),
     }
 
 
@@ -177,37 +175,32 @@ def picnic_table(draw: Draw) -> Parts:
 
 
 def engine(draw: Draw) -> Parts:
-    """A V8: two rows of cylinders under red covers, a fan and pulleys in front, exhaust pipes at
-    the sides, a round air filter on top."""
-    y, lean = draw(0.84, 0.9), 42
-    z = 0.78
-    half = [(0.3, 0.16), (0.4, 0.42), (0.5, 0.7), (0.9, 1.2), (0.5, 1.5), (0.2, 1.3)]
-    block = join(
-        grown(prism(mirrored(half), 1, y - 0.04), 0.04),
-        box((0, 0.05, 0.16), (0.34, y - 0.16, 0.18), 0.06),
-    )
-    cover = moved(turned(box((0, 0, 0), (0.3, y - 0.08, 0.2), 0.08), 1, lean), (0.78, 0, 1.42))
-    ribs = [moved(turned(box((0, v, 0.17), (0.2, 0.075, 0.1), 0.04), 1, lean), (0.78, 0, 1.42))
-            for v in (-0.45, -0.15, 0.15, 0.45)]  # fmt: skip
-    pipes = [limb([(0.7, v, 0.94), (1.06, v, 0.84), (1.14, v * 0.9 + 0.06, 0.5)], 0.11, 0.11)
-             for v in (-0.54, -0.18, 0.18, 0.54)]  # fmt: skip
-    drain = capsule((1.12, -0.5, 0.42), (1.06, y + 0.3, 0.36), 0.16)
-    blade = box((0.32, 0, 0), (0.26, 0.14, 0.07), 0.05)
-    fan = tilted(around(5, blade, 90), 90, (0, -y - 0.42, z))
-    wheels = [tube((u, -y - 0.22, v), (u, -y + 0.1, v), e, 0.03)
-              for u, v, e in ((0, z, 0.26), (0.52, 1.16, 0.22), (-0.52, 1.16, 0.22))]  # fmt: skip
+    """A V8: two rows of cylinders under red covers with bright ribs, bright exhaust pipes at the
+    sides, a fan and pulleys in front, a round air filter on top."""
+    y, lean = draw(0.86, 0.9), 42
+    z, pulley = 0.64, (0.6, 1.2)
+    half = [(0.3, 0.12), (0.42, 0.42), (0.5, 0.7), (0.9, 1.2), (0.5, 1.5), (0.2, 1.3)]
+
+    def on_bank(solid: Solid) -> Solid:
+        return moved(turned(solid, 1, lean), (0.78, 0, 1.42))
+
+    ribs = [on_bank(box((0, 0.5 * k, 0.2), (0.21, 0.11, 0.12), 0.04)) for k in (-1, 0, 1)]
+    pipes = [limb([(0.62, 0.5 * k, 0.92), (1.02, 0.5 * k, 0.86), (1.14, 0.5 * k, 0.42)], 0.14, 0.14)
+             for k in (-1, 0, 1)]  # fmt: skip
+    drain = capsule((1.14, -0.5, 0.34), (1.14, y + 0.26, 0.34), 0.18)
+    fan = tilted(around(5, box((0.33, 0, 0), (0.25, 0.15, 0.08), 0.05), 90), 90, (0, -y - 0.42, z))
+    u, v = pulley
     return {
-        "block": block,
-        "covers": both(cover),
-        "ribs": both(join(*ribs)),
+        "block": grown(prism(mirrored(half), 1, y - 0.04), 0.04),
+        "covers": both(on_bank(box((0, 0, 0), (0.32, y - 0.06, 0.2), 0.08))),
+        "ribs": both(join(drain, *ribs, *pipes)),
         "filter": join(
-            tube((0, 0, 1.74), (0, 0, 2.04), draw(0.6, 0.64), 0.04),
-            tube((0, 0, 1.3), (0, 0, 1.8), 0.3),
+            tube((0, 0, 1.72), (0, 0, 2.04), draw(0.58, 0.61), 0.04),
+            tube((0, 0, 1.2), (0, 0, 1.8), 0.3),
         ),
-        "lid": join(tube((0, 0, 2.0), (0, 0, 2.14), 0.7, 0.05), ball((0, 0, 2.16), 0.14)),
-        "pulleys": join(*wheels),
-        "fan": join(fan, tube((0, -y - 0.54, z), (0, -y, z), 0.14, 0.04)),
-        "pipes": both(join(drain, *pipes)),
+        "lid": join(tube((0, 0, 1.98), (0, 0, 2.16), 0.72, 0.05), ball((0, 0, 2.18), 0.15)),
+        "pulleys": both(tube((u, -y - 0.24, v), (u, -y + 0.1, v), 0.25, 0.04)),
+        "fan": join(fan, tube((0, -y - 0.58, z), (0, -y + 0.1, z), 0.17, 0.04)),
     }
 
 

@@ -94,7 +94,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "rooster": {"eyes": Marking("neck", partial(fronts.spots, at=(0.11, 0.2, 0.12), radius=0.06))},
     "turkey": {"eyes": Marking("head", partial(fronts.spots, at=(0.12, 0.12, 0.15), radius=0.06))},
     "garbage truck": {
-        "lamps": Marking("cab", partial(fronts.spots, at=(0.19, 0.22, 0.36), radius=0.08))
+        "lamps": Marking("cab", partial(fronts.spots, at=(0.18, 0.2, 0.37), radius=0.075))
     },
     "ray gun": {
         "window": Marking("body", partial(balls.caps, wide=0.4, ways=((0, -1, 0.1), (0, 1, 0.1))))
@@ -146,6 +146,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         noun: {"frets": Marking("neck", boards.frets)}
         for noun in ("guitar", "ukulele", "banjo", "electric guitar")
     },
+    "bunk bed": {"rungs": Marking("ladder", partial(boards.planks, count=6, wide=0.022))},
     "wagon": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
     "stump": {"rings": Marking("wood", boards.year_rings)},
     "broom": {"lines": Marking("bristles", partial(boards.staves, count=22, wide=0.006))},

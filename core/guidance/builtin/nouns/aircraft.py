@@ -13,7 +13,7 @@ AIRCRAFT = {
             "engines": "-3d6fb3",
             "tail": "&c7ccd2 . paint",
         },
-        Usual(12.0, STEEL, 0.009),
+        Usual(12.0, STEEL, 0.0078),
     ),
     "rocket": Noun(
         "rocket ship, space rocket; missile, firework, rocketship, torpedo",

@@ -379,7 +379,7 @@ ANIMALS = {
     "snail": Noun(
         "",
         {"body": "+c9a878", "shell": "*8f5a2e", "eyes": "-1a1512"},
-        Usual(0.08, FLESH, 0.77),
+        Usual(0.08, FLESH),
     ),
     "deer": Noun(
         "; reindeer, stag, buck, doe, fawn, elk, antelope, gazelle, bambi, impala, caribou",

@@ -109,13 +109,13 @@ CLOTHES = {
     "suitcase": Noun(
         "travel case, luggage, trolley case; carry on, travel bag, travel trunk",
         {
-            "body": "*8a5630",
+            "body": "*a5683a",
             "bands": "+4a2c18",
             "handle": "-2c2420",
             "feet": "-26221f",
             "locks": "-d8b04a . golden",
         },
-        Usual(0.7, LEATHER, 0.052),
+        Usual(0.7, LEATHER, 0.081),
     ),
     "shirt": Noun(
         "t-shirt, tshirt, tee shirt, t shirt, tee; sweater, jumper, blouse, tank top, vest, "

@@ -23,7 +23,7 @@ FIXTURES = {
             "hot mark": "-d8342c . plastic",
             "cold mark": "-2f6fd0 . plastic",
         },
-        Usual(0.35, STEEL, 0.25),
+        Usual(0.35, STEEL, 0.145),
     ),
     "radiator": Noun(
         "column radiator, house radiator, room radiator, radiators, home radiator, central "

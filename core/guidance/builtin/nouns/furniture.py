@@ -149,9 +149,10 @@ FURNITURE = {
             "mattress": "-ebe6dc",
             "pillow": "+f2efe8",
             "frame": "*a8733e grain",
-            "ladder": "*a8733e grain",
+            "ladder": "&dcae6a grain",
+            "rungs": "&7d5428 grain",
         },
-        Usual(2.0, WOOD, 0.077),
+        Usual(2.0, WOOD, 0.065),
     ),
     "coffee table": Noun(
         "low table; side table, tea table",

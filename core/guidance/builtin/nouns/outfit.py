@@ -141,9 +141,8 @@ OUTFIT_PROPS = {
             "lid": "+c4cad0 . metal",
             "pulleys": "-2c2e34 . metal",
             "fan": "+f0b430 . paint",
-            "pipes": "-b4845a . copper",
         },
-        Usual(0.8, STEEL, 0.3),
+        Usual(0.8, STEEL, 0.34),
     ),
 }
 WORKSHOP_FURNITURE = {
@@ -213,8 +212,7 @@ WORKSHOP_DEVICES = {
             "deck": "-40444f . plastic",
             "reels": "-f4f0e8 . plastic",
             "buttons": "+f6c63c . plastic",
-            "handle": "&a52c38 . plastic",
-            "aerial": "-b9bdc2 . metal",
+            "handle": "+d4d8dc . metal",
         },
         Usual(0.6, PLASTIC, 0.25),
     ),

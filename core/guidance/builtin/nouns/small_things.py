@@ -185,7 +185,7 @@ SMALL_THINGS = {
             "handles": "-c08a4a grain",
             "knobs": "-c08a4a grain",
         },
-        Usual(0.28, WOOD, 0.092),
+        Usual(0.28, WOOD, 0.15),
     ),
     "megaphone": Noun(
         "bullhorn, bull horn, loudhailer; loudspeaker horn, horn speaker, cheer megaphone",

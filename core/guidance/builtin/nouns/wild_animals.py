@@ -225,7 +225,7 @@ WILD_ANIMALS = {
             "legs": "-22303a",
             "eyes": "-c2402e",
         },
-        Usual(0.08, FLESH, 0.05),
+        Usual(0.08, FLESH, 0.043),
     ),
     "stingray": Noun(
         "sting ray; manta ray, manta, eagle ray, ray fish",
