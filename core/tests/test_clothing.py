@@ -49,9 +49,11 @@ def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
     ("prompt", "stands", "has_legs"),
     [
         ("a penguin", True, True),
+        ("a teddy bear", True, False),
         ("a robot", True, True),
         ("a monkey", True, False),
         ("a cat", False, True),
+        ("an elephant", False, True),
         ("a shark", False, False),
         ("a snake", True, False),
     ],

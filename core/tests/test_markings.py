@@ -22,14 +22,12 @@ from core.guidance.builtin.markings.balls import number_on, pentagons, pips
 from core.guidance.builtin.markings.coats import FORE, HIND
 from core.guidance.builtin.markings.margins import within
 from core.guidance.builtin.markings.markings import (
-    MARKINGS,
-    STICKERS,
     Marked,
     has_markings,
     is_marking,
-    unfit_markings,
 )
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
+from core.guidance.builtin.markings.table import MARKINGS, STICKERS
 from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import looks, painted
@@ -104,16 +102,6 @@ def test_spots_are_on_both_sides_of_a_front(noun, part):
     seen = points[fields.near(points)[1].argmax(1) == names.index(part)]
     assert (seen[:, 0] > middle[0] + 0.05).sum() > 10 and (seen[:, 0] < middle[0] - 0.05).sum() > 10
     assert (seen[:, 1] < middle[1] + 0.1).all() and (seen[:, 1] < middle[1]).float().mean() > 0.5
-
-
-@pytest.mark.parametrize(
-    ("prompt", "there"),
-    [("a chest", True), ("an oak chest", True), ("a blue chest", True), ("an iron chest", False)],
-)
-def test_seams_are_of_wood(prompt, there):
-    noun = parse(prompt).noun
-    materials = {part.name: part.material for part in painted(noun, parse(prompt))}
-    assert unfit_markings(noun, materials) == (set() if there else {"seams"})
 
 
 def test_an_eighth_part_is_a_marking_as_the_network_draws_seven():

@@ -41,9 +41,6 @@ from core.prior.solids import (
     turned,
 )
 
-# All are a minute and a half of a CPU.
-every_fourth_or_all = pytest.mark.parametrize("step", [4, pytest.param(1, marks=pytest.mark.slow)])
-
 
 def _draw(seed: int = 0, stated: str = "", adjective: str = "") -> Draw:
     return Draw(torch.Generator().manual_seed(seed), stated, adjective)
@@ -53,10 +50,10 @@ def _points(count: int, reach: float = 1.5, seed: int = 0) -> torch.Tensor:
     return (torch.rand(count, 3, generator=torch.Generator().manual_seed(seed)) * 2 - 1) * reach
 
 
-def _each_family(check: Callable[[str], None], step: int = 1) -> None:
+def _each_family(check: Callable[[str], None]) -> None:
     """All nouns in one test, which costs less than one for each; all that fail are named."""
     wrong = []
-    for noun in list(FAMILIES)[::step]:
+    for noun in FAMILIES:
         try:
             check(noun)
         except AssertionError as error:
@@ -64,9 +61,8 @@ def _each_family(check: Callable[[str], None], step: int = 1) -> None:
     assert not wrong, "\n".join(wrong)
 
 
-@every_fourth_or_all
-def test_a_family_is_normalised_and_its_distance_is_a_lower_bound(step):
-    _each_family(_is_normalised_and_a_lower_bound, step)
+def test_a_family_is_normalised_and_its_distance_is_a_lower_bound():
+    _each_family(_is_normalised_and_a_lower_bound)
 
 
 def _is_normalised_and_a_lower_bound(noun: str) -> None:
@@ -108,9 +104,8 @@ def _beyond(surface: torch.Tensor) -> torch.Tensor:
     return torch.cat(found)
 
 
-@every_fourth_or_all
-def test_a_distance_never_changes_faster_than_the_way(step):
-    _each_family(_is_nowhere_too_steep, step)
+def test_a_distance_never_changes_faster_than_the_way():
+    _each_family(_is_nowhere_too_steep)
 
 
 def _is_nowhere_too_steep(noun: str) -> None:

@@ -459,7 +459,8 @@ def test_a_pattern_by_nature_has_a_second_colour_until_a_colour_is_stated(
 @pytest.mark.parametrize(
     ("noun", "part", "pattern", "second"),
     [
-        ("turtle", "shell", "plates", 0.5),  # of its own colour, but darker
+        ("pineapple", "body", "scales", 0.6),  # of its own colour, but darker
+        ("turtle", "shell", "plates", 0.5),
         ("basketball", "ball", "seams", (0.13, 0.10, 0.09)),
     ],
 )

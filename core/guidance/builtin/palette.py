@@ -11,6 +11,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.markings.table import MARKINGS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import ROUGHNESS, natural_kind
@@ -40,6 +41,7 @@ COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
+DARKER = 0.6  # sRGB: a shade of what it lies on
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
 # surroundings that are darker than what lights a wall.
@@ -117,6 +119,7 @@ class Look(NamedTuple):
     pattern: str
     finish: Finish
     material: str = ""  # what it is of: its finish's name, or the kind of its substance
+    shade: bool = False  # a marking that goes with its bearer's colour: under words a shade of it
 
 
 @cache
@@ -133,7 +136,21 @@ def _look(noun: str, part: str, text: str) -> Look:
     if finish.metallic > 0.5:
         rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]
     red, green, blue = rgb
-    return Look(text[0], (red, green, blue), pattern.strip("."), finish, kind)
+    return Look(
+        text[0], (red, green, blue), pattern.strip("."), finish, kind, _is_shade(noun, part)
+    )
+
+
+def _is_shade(noun: str, part: str) -> bool:
+    """A seam in the colour of the planks would not be seen."""
+    rows, marking = NOUNS[noun].looks, MARKINGS.get(noun, {}).get(part)
+    return marking is not None and rows[part][0] == "&" and rows[marking.on][0] in "*&"
+
+
+def darker(color: Color) -> Color:
+    """The shade of a marking on what is of the colour."""
+    red, green, blue = (DARKER * x for x in color)
+    return red, green, blue
 
 
 def _natural(kind: str) -> Finish:
@@ -224,6 +241,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             word = first
         if word[0] or apart:
             color, pattern = _value(word) or color, finish.pattern
+        if look.shade and (word[0] or material) and not apart:
+            color = darker(color)
         sheen = (accent.sheen,) if accent.sheen else stated.sheen
         sheen = sheen if accent.sheen or of_whole else ()
         second = _value(other) or companion(color)

@@ -101,17 +101,22 @@ def collar(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
     return 0.05 - (points[:, 2, None] - middles).abs().amin(1)
 
 
-def crossing(points: Float[Tensor, "p 3"], rise: float, lines: float) -> Float[Tensor, " p"]:
+def crossing(
+    points: Float[Tensor, "p 3"], rise: float, lines: float, around: int = 4
+) -> Float[Tensor, " p"]:
     """Two sets of lines that cross on a turned solid, such as a wafer's.
 
     Args:
         rise: radians of them in a unit of height.
         lines: cosine from which a place is on one.
+        around: how many of each there are.
     """
-    angle = torch.atan2(points[:, 1], points[:, 0]) * 4
+    angle = torch.atan2(points[:, 1], points[:, 0]) * around
     height = points[:, 2] * rise
     nearest = torch.maximum((angle + height).cos(), (angle - height).cos())
-    steep = (4 / points[:, :2].norm(dim=1).clamp_min(1e-3)).hypot(points.new_tensor(float(rise)))
+    steep = (around / points[:, :2].norm(dim=1).clamp_min(1e-3)).hypot(
+        points.new_tensor(float(rise))
+    )
     return (nearest - lines) / (steep * math.sqrt(1 - lines**2))
 
 
@@ -179,7 +184,7 @@ NATURAL: dict[str, Natural] = {
     "band": Natural(band, (0.94, 0.93, 0.90)),
     "collar": Natural(collar, (0.76, 0.10, 0.10)),
     "dots": Natural(spotted, (0.95, 0.93, 0.88)),  # of a mushroom
-    "scales": Natural(partial(crossing, rise=10, lines=0.8), 0.6),  # a pineapple's
+    "scales": Natural(partial(crossing, rise=17, lines=0.87, around=8), 0.6),  # a pineapple's
     "waffle": Natural(partial(crossing, rise=14, lines=0.75), 0.65),
     "plates": Natural(plates, 0.5),  # a turtle's
     "seams": Natural(seams, (0.13, 0.10, 0.09)),  # a basketball's

@@ -5,7 +5,7 @@ from functools import cache
 import torch
 
 from core.appearance.material_ranges import MaterialRanges
-from core.guidance.builtin.palette import FINISHES, Finish, Painted, painted
+from core.guidance.builtin.palette import FINISHES, Finish, Painted, darker, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.words.colors import Color, luma, toned
@@ -50,6 +50,8 @@ def _as_new(words: Words, part: Painted) -> Surface:
     tone, form = split_tone(part.material_form)
     variant = VARIANTS.get(form) or Variant(_kind(words, part))
     wanted = variant.color
+    if wanted and part.look.shade and not part.apart:
+        wanted = darker(wanted)
     if tone:
         wanted = toned(wanted or part.color, tone)
     finish = FINISHES[part.material]

@@ -14,6 +14,7 @@ from core.guidance.builtin.markings.margins import (
     any_of,
     cells_around,
     chance,
+    in_front,
     strokes,
     within,
 )
@@ -101,6 +102,22 @@ def strawberry_seeds(points: Points, half: Half, rows: float = 6.0, count: int =
     turn = torch.atan2(points[:, 1], points[:, 0]) * (count / math.tau) + 0.5 * row.remainder(2)
     side = (turn - turn.round()).abs() * (math.tau / count) * points[:, :2].norm(dim=1)
     return 0.026 - torch.hypot(side * 1.4, (up - row) * half[2] / rows)
+
+
+def seeds(points: Points, half: Half, count: int = 36, up: int = 2, size: float = 0.04) -> Margin:
+    """On what is round about the axis ``up``, each pointing away from it: on a bun's top, or with
+    ``up`` 1 on a flower's front."""
+    sides = [axis for axis in range(3) if axis != up]
+    at = points[:, sides] / half[sides].mean()
+    number = torch.arange(count) + 0.5
+    reach, turn = 0.8 * (number / count).sqrt(), number * (math.pi * (3 - math.sqrt(5)))
+    ways = torch.stack([turn.cos(), turn.sin()], 1).to(at)
+    off = at[:, None] - ways * reach.to(at)[:, None]
+    along = (off * ways).sum(2)
+    across = off[..., 0] * ways[:, 1] - off[..., 1] * ways[:, 0]
+    seed = size - torch.hypot(along / 1.7, across).amin(1)
+    here = points[:, 2] - 0.3 * half[2] if up == 2 else in_front(points)
+    return all_of(seed * half[sides].mean(), here)
 
 
 def wing_cases(points: Points, half: Half) -> Margin:

@@ -145,9 +145,12 @@ def belts(
     return any_of(*(belt(points, half, low, high, axis) for low, high in spans))
 
 
-def rings(points: Points, half: Half, spans: Sequence[tuple[float, float]]) -> Margin:
-    """Between radii about the middle of both its faces, in halves of the width."""
-    away = points[:, [0, 2]].norm(dim=1)
+def rings(
+    points: Points, half: Half, spans: Sequence[tuple[float, float]], axis: int = 1
+) -> Margin:
+    """Between radii about the middle of both its faces, in halves of the width; the faces look
+    along the axis."""
+    away = points[:, [side for side in range(3) if side != axis]].norm(dim=1)
     pairs = ((low * half[0], high * half[0]) for low, high in spans)
     return any_of(*(all_of(high - away, away - low) for low, high in pairs))
 

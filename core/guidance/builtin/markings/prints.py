@@ -118,13 +118,19 @@ def glyphs(points: Points, half: Half) -> Margin:
     return all_of(any_of(*margins), 0.9 * wide - across.abs())
 
 
-def ruled(points: Points, half: Half) -> Margin:
-    """The lines of a list, every other one shorter."""
+def ruled(
+    points: Points,
+    half: Half,
+    lines: Sequence[float] = LINES,
+    ends: tuple[float, float] = (-0.42, 0.8),
+) -> Margin:
+    """The lines of a list, every other one shorter; where they are, and from where to where they
+    go, in halves of the paper."""
     x, z = points[:, 0] / half[0], points[:, 2] / half[2]
-    margins = []
-    for k, at in enumerate(LINES):
-        end = 0.8 - 0.22 * (k % 2)
-        wide = (end + 0.42) / 2 - (x - (end - 0.42) / 2).abs()
+    begin, margins = ends[0], []
+    for k, at in enumerate(lines):
+        end = ends[1] - 0.22 * (k % 2)
+        wide = (end - begin) / 2 - (x - (end + begin) / 2).abs()
         margins.append(all_of(wide * half[0], 0.022 * half[2] - (z - at).abs() * half[2]))
     return all_of(any_of(*margins), in_front(points))
 
@@ -259,3 +265,37 @@ def scattered(
         size = size * float(half[0])
         margins.append(shape_margin(at / size, shape) * size)
     return any_of(*margins)
+
+
+def net_gaps(points: Points, half: Half, count: int = 13, string: float = 0.3) -> Margin:
+    """Between the strings of a net that is seen from the front, ``count`` of them from side to
+    side, each so wide a share of the pitch."""
+    pitch = 2 * half[0] / count
+    at = points[:, [0, 2]] / pitch
+    away = (at - at.floor() - 0.5).abs().amax(1)
+    return (0.5 - string / 2 - away) * pitch
+
+
+def slots(points: Points, half: Half, count: int = 7, wide: float = 0.45) -> Margin:
+    """Level ones in a round plate that is seen from the front."""
+    x, z = points[:, 0] / half[0], points[:, 2] / half[2]
+    row = z * (count + 2) / 2
+    slot = (wide / 2 - (row - row.round()).abs()) * (2 * half[2] / (count + 2))
+    inside = (0.82 - torch.hypot(x, row.round() * 2 / (count + 2))) * half[0]
+    return all_of(slot, inside, in_front(points))
+
+
+def icons(points: Points, half: Half, columns: int = 4) -> Margin:
+    """Of a phone: rows of squares on the upper part of its front, and one below."""
+    x, z = points[:, 0], points[:, 2]
+    pitch = 1.76 * half[0] / columns
+    at = torch.stack([x / pitch + columns / 2, (0.84 * half[2] - z) / pitch], 1)
+    below = torch.stack([at[:, 0], (-0.7 * half[2] - z) / pitch], 1)
+    rows = max(int(1.15 * float(half[2]) / float(pitch)), 1)
+    both = []
+    for place, count in ((at, rows), (below, 1)):
+        cell = place.floor()
+        square = 0.32 - (place - cell - 0.5).abs().amax(1)
+        there = (cell >= 0).all(1) & (cell[:, 0] < columns) & (cell[:, 1] < count)
+        both.append(torch.where(there, square, -0.18).mul(pitch))
+    return all_of(any_of(*both), in_front(points))

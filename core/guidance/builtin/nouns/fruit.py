@@ -5,7 +5,7 @@ from core.guidance.builtin.nouns.noun import PLANT, Noun, Usual
 FRUIT = {
     "pineapple": Noun(
         "",
-        {"body": "*dd9a26", "leaves": "+3c7d33", "lines": "&9a5f16"},
+        {"body": "*dd9a26 scales", "leaves": "+3c7d33"},
         Usual(0.3, PLANT, 0.46),
     ),
     "apple": Noun(

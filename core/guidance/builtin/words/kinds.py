@@ -119,6 +119,7 @@ _ROWS = {
     "silver bar": "silver",
     "silver bullet": "silver",
     "metal bar": "metal",
+    "oil drum, oil barrel": "blue of metal; hoops: blue",
     "poppy": "red; heart: black",
     "daffodil": "yellow; heart: orange",
     "orchid": "violet",
