@@ -216,18 +216,20 @@ def train(options: argparse.Namespace) -> None:
     kind = SolidTraining if options.network == SOLID else Training
     training = kind(make, config, options.device, objective)
     checkpoint = options.out / f"{options.network}.safetensors"
+    samples = source(options.out)
     if checkpoint.exists():
-        training.resume(checkpoint)
+        training.resume(checkpoint, samples)
     elif options.start:
         training.start_from(options.start)
-    samples = source(options.out)
     if isinstance(training, SolidTraining) and not training.step:
         if options.encoder:
             training.encode_as(options.encoder)
         if options.anew:
             training.forget_kinds(samples)
+        elif options.start:
+            samples.order_kinds(training.net.decoder)
     if options.hold and not training.held:
-        training.hold()
+        training.hold(samples)
     run(training, samples, checkpoint)
 
 

@@ -96,8 +96,12 @@ def _object(noun: int, draw: Draw) -> Solids:
 
 def volume_of(shape: Shape) -> Int[Tensor, "32 32 32"]:
     """Distances at the middles of the volume's cells, as ``Solids.grid`` has them."""
-    distance = distances_of(shape, _cells()).amin(1).clamp(-REACH, REACH)
-    return (distance / REACH * 127).round().to(torch.int8).view((SIDE,) * 3)
+    return in_bytes(distances_of(shape, cells()).amin(1)).view((SIDE,) * 3)
+
+
+def in_bytes(distance: Float[Tensor, "*n"]) -> Int[Tensor, "*n"]:
+    """Distances in training units as ``Solids.grid`` has them."""
+    return (distance.clamp(-REACH, REACH) / REACH * 127).round().to(torch.int8)
 
 
 def distances_of(shape: Shape, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n k"]:
@@ -112,7 +116,7 @@ def distances_of(shape: Shape, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n
     return found / slope.clamp(least, 1)
 
 
-def _cells() -> Float[Tensor, "n 3"]:
+def cells() -> Float[Tensor, "n 3"]:
     """The middles of the volume's cells."""
     axis = (torch.arange(SIDE) + 0.5) * (2 * EXTENT / SIDE) - EXTENT
     return torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
@@ -124,12 +128,12 @@ def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
     def sdf(points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         return distances_of(shape, points).amin(1)
 
-    volume = sdf(_cells())
+    volume = sdf(cells())
     near = volume.abs() < BAND[0]
     near = near if near.sum() >= FEW else volume.abs() < BAND[1]
-    cells = torch.multinomial(near.float(), ON + NEAR, True, generator=generator)
+    drawn = torch.multinomial(near.float(), ON + NEAR, True, generator=generator)
     jitter = torch.rand(ON + NEAR, 3, generator=generator) - 0.5
-    about = _cells()[cells] + jitter * (2 * EXTENT / SIDE)
+    about = cells()[drawn] + jitter * (2 * EXTENT / SIDE)
     on = about[:ON]
     on = on - sdf(on)[:, None] * gradient(sdf, on)
     on = on + SPREAD * torch.randn(on.shape, generator=generator)

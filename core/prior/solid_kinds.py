@@ -13,12 +13,14 @@ import torch
 from jaxtyping import Float, Int
 from safetensors.torch import load_file, save_file
 from scipy.cluster.vq import kmeans2
+from scipy.optimize import linear_sum_assignment
 from torch import Tensor
 
-from core.guidance.builtin.solid_net import KINDS
+from core.geometry.tet_grid import EXTENT
+from core.guidance.builtin.solid_net import KINDS, SCALE, SolidNet
 from core.io.atomic import atomic_file
 from core.prior.data import NOUNS
-from core.prior.solid_data import REACH, SIDE, SOLIDS, Solids, read_solids
+from core.prior.solid_data import REACH, SIDE, SOLIDS, Solids, cells, in_bytes, read_solids
 
 FILES = 30  # that the kinds are found in
 NAME = "kinds.safetensors"
@@ -41,13 +43,39 @@ def kinds_of(folder: Path) -> Kinds:
     if not path.exists():
         solids = read_solids(sorted(folder.glob(SOLIDS))[:FILES])
         found = [_kinds(solids, solids.words[:, 0] == noun) for noun in range(len(NOUNS))]
-        middles, choices = map(torch.stack, zip(*found, strict=True))
-        with atomic_file(path) as temporary:
-            save_file({"middles": middles.half(), "choices": choices}, temporary)
+        write_kinds(folder, Kinds(*map(torch.stack, zip(*found, strict=True))))
     kept = load_file(path)
     middles = kept["middles"].float()
     # A folder from before the choices were kept goes on with the kinds that it has.
     return Kinds(middles, kept.get("choices", torch.full(middles.shape[:2], ANY)))
+
+
+def write_kinds(folder: Path, kinds: Kinds) -> None:
+    """The folder's from now on."""
+    with atomic_file(folder / NAME) as temporary:
+        save_file({"middles": kinds.middles.half(), "choices": kinds.choices}, temporary)
+
+
+def in_order_of(net: SolidNet, kinds: Kinds, nouns: Int[Tensor, " n"]) -> Kinds:
+    """The nouns' kinds in the order of the network's own, by what it draws of each without a code:
+    what it has learnt of a table of one leg is not to begin with tables of four."""
+    middles, choices = kinds.middles.clone(), kinds.choices.clone()
+    for noun in nouns.tolist():
+        away = torch.cdist(drawn_kinds(net, noun), kinds.middles[noun])
+        _, order = linear_sum_assignment(away.numpy())
+        middles[noun], choices[noun] = kinds.middles[noun, order], kinds.choices[noun, order]
+    return Kinds(middles, choices)
+
+
+@torch.no_grad()
+def drawn_kinds(net: SolidNet, noun: int) -> Float[Tensor, "k c"]:
+    """A noun's kinds as the network draws them without a code, as compared."""
+    own = KINDS * noun + 1 + torch.arange(KINDS)
+    words = torch.zeros(KINDS, 4, dtype=torch.long)
+    words[:, 0], words[:, 3] = noun + 1, own
+    triplane = net.triplane(words, torch.zeros(KINDS, net.config.latent))
+    points = (cells() / EXTENT).expand(KINDS, -1, 3)
+    return compared(in_bytes(net.at(triplane, points).amin(2) / SCALE))
 
 
 def _kinds(solids: Solids, which: Tensor) -> tuple[Float[Tensor, "k c"], Int[Tensor, " k"]]:

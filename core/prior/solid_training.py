@@ -4,7 +4,7 @@ Welling 2014; Sohn et al. 2015) over the distances of the families' solids, part
 
 import itertools
 from pathlib import Path
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import torch
 import torch.nn.functional as F
@@ -19,7 +19,14 @@ from core.guidance.builtin.solid_net import KINDS, PARTS, SCALE, SolidNet, Solid
 from core.guidance.builtin.weights import load_tensors
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES
 from core.prior.solid_data import SOLIDS, Solids, read_solids
-from core.prior.solid_kinds import NEAR, compared, kind_rows, kinds_of
+from core.prior.solid_kinds import (
+    NEAR,
+    compared,
+    in_order_of,
+    kind_rows,
+    kinds_of,
+    write_kinds,
+)
 from core.prior.train import Batches, TrainConfig, Training, arithmetic
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
@@ -106,6 +113,13 @@ class SolidSource:
             kinds = kind_rows(self.samples, self.kinds)
             self.rows = torch.cat([self.samples.rows(), kinds[:, None]], 1)
             self.mirrored = self._mirrored()
+
+    def order_kinds(self, net: SolidNet) -> None:
+        """As the network has them that a training goes on with."""
+        self.kinds = in_order_of(net, self.kinds, self.samples.words[:, 0].unique())
+        write_kinds(self.folder, self.kinds)
+        self.paths = []
+        self.rescan()
 
     def batch(self, count: int, generator: torch.Generator) -> SolidBatch:
         """Random objects, and some of the points of each; nouns with large errors more often."""
@@ -226,14 +240,14 @@ def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> 
 class SolidTraining(Training):
     """A training of the autoencoder, whose decoder may begin with shipped weights."""
 
-    noun_tables: ClassVar = (
-        "words.0.weight",
-        "words.3.weight",
-        "own.weight",
-        "kind.weight",
-    )
+    kind_tables: ClassVar = ("words.3", "kind")
+    noun_tables: ClassVar = ("words.0", "own", *kind_tables)
     unshipped: ClassVar = ("encoder.",)
     held_until = HOLD
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.known: set[str] = set()  # parameters taken over whole
 
     def advance(self, source: Batches) -> None:
         """One step; what is mirrored is so by all objects that there are."""
@@ -255,7 +269,21 @@ class SolidTraining(Training):
                     p[tuple(slice(n) for n in old[name].shape)] = old[name]
                 mean.copy_(p)
                 if name in old and old[name].shape == p.shape:
+                    self.known.add(name)
                     p.register_hook(self._held)
+
+    def hold(self, source: Batches) -> None:
+        """As it is done; what was taken over whole waits as ever."""
+        super().hold(source)
+        for table in self._noun_tables():
+            if f"{table}.weight" in self.known:
+                self.net.get_submodule(table).learnt.register_hook(self._held)
+
+    def rows_of(self, table: str, source: Batches) -> Int[Tensor, " r"]:
+        """Of the nouns, or of their kinds."""
+        assert isinstance(source, SolidSource)
+        of_kinds = table.endswith(self.kind_tables)
+        return kinds_in(source) if of_kinds else source.samples.words[:, 0].unique().long() + 1
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The decoder's tensors."""
@@ -309,9 +337,10 @@ def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet
     rounds the others."""
     learnt, kinds = source.samples.words[:, 0].unique().long() + 1, kinds_in(source)
     rows = {"words.0.weight": learnt, "own.weight": learnt, "counts": kinds}
+    tables = [f"{table}.weight" for table in SolidTraining.noun_tables]
     for name, tensor in net.state_dict().items():
         along = tensor.ndim - 1 if name == "counts" else 0
-        if name not in (*SolidTraining.noun_tables, "counts", "mirrored"):
+        if name not in (*tables, "counts", "mirrored"):
             tensor.copy_(old[name])
             continue
         new = tensor.index_select(along, rows.get(name, kinds))

@@ -16,6 +16,8 @@ from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 import torch
+import torch.nn.functional as F
+from jaxtyping import Float, Int
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
@@ -224,10 +226,37 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
 
 
+class LearntRows(nn.Module):
+    """A table of which some rows learn and the others stay: of all nouns' features a step for the
+    few that learn would else move all, and take more than twice as long."""
+
+    weight: Tensor
+    rows: Tensor
+    place: Tensor
+
+    def __init__(self, table: nn.Embedding, rows: Int[Tensor, " r"]) -> None:
+        super().__init__()
+        weight = table.weight.detach()
+        place = torch.full((len(weight),), len(rows) + 1)  # beyond: no other row may be asked for
+        place[0] = 0  # "not stated", which all nouns share
+        place[rows.cpu()] = 1 + torch.arange(len(rows))
+        for name, tensor in (("weight", weight), ("rows", rows), ("place", place.to(rows.device))):
+            self.register_buffer(name, tensor)
+        self.learnt = nn.Parameter(weight[rows])
+
+    def forward(self, index: Int[Tensor, " b"]) -> Float[Tensor, "b c"]:
+        """The rows."""
+        return F.embedding(self.place[index], torch.cat([self.weight[:1], self.learnt]))
+
+    def whole(self, learnt: Float[Tensor, "r c"]) -> Float[Tensor, "v c"]:
+        """The table with such rows in the place of those that learn."""
+        return self.weight.index_copy(0, self.rows, learnt)
+
+
 class Training:
     """A network in training: weights, their moving average, the optimiser, the time spent."""
 
-    noun_tables: ClassVar[tuple[str, ...]] = ("words.0.weight",)  # a row for each noun
+    noun_tables: ClassVar[tuple[str, ...]] = ("words.0",)  # a row for each noun
     held_until = 0  # the step up to which what was taken over stays
     unshipped: ClassVar[tuple[str, ...]] = ()  # what is trained along, and only for the training
 
@@ -243,15 +272,24 @@ class Training:
         self.objective = objective
         torch.manual_seed(config.seed)  # the network's first weights
         self.net: Any = make().to(self.device)
-        self.params = list(self.net.parameters())
-        self.ema = [p.detach().clone() for p in self.params]
-        self.optimizer = torch.optim.AdamW(
-            self.params, config.learning_rate, betas=(0.9, 0.99), weight_decay=1e-3, fused=True
-        )
+        self._learn(weight_decay=1e-3)
         self.alpha_bar = alpha_bar_schedule().to(self.device)
         self.generator = torch.Generator().manual_seed(config.seed)
         self.step, self.seconds, self.loss = 0, 0.0, float("nan")
         self.held = False
+
+    def _learn(self, weight_decay: float) -> None:
+        """Begin with all that has a gradient."""
+        named = [(name, p) for name, p in self.net.named_parameters() if p.requires_grad]
+        self.names, self.params = map(list, zip(*named, strict=True))
+        self.ema = [p.detach().clone() for p in self.params]
+        self.optimizer = torch.optim.AdamW(
+            self.params,
+            self.config.learning_rate,
+            betas=(0.9, 0.99),
+            weight_decay=weight_decay,
+            fused=True,
+        )
 
     @property
     def progress(self) -> float:
@@ -302,17 +340,26 @@ class Training:
                     p.copy_(old[name])
                 mean.copy_(p)
 
-    def hold(self) -> None:
-        """Let nothing learn but the nouns: of these the ones that there are samples of, as a row
-        that is not asked for has no gradient. What is made of the others stays, to the bit."""
+    def hold(self, source: Batches) -> None:
+        """Let nothing learn but the nouns that the source has samples of. What is made of the
+        others stays, to the bit."""
         for name, p in self.net.named_parameters():
-            if name.endswith(self.noun_tables):
-                p.register_hook(_but_the_first)
-            elif not name.startswith(self.unshipped):
-                p.requires_grad_(False)
-        for group in self.optimizer.param_groups:
-            group["weight_decay"] = 0.0  # it would shrink the rows
+            p.requires_grad_(name.startswith(self.unshipped))
+        for table in self._noun_tables():
+            rows = self.rows_of(table, source).to(self.device)
+            self.net.set_submodule(table, LearntRows(self.net.get_submodule(table), rows))
+        # No decay: it would shrink the rows.
+        self._learn(weight_decay=0.0)
         self.held = True
+
+    def _noun_tables(self) -> list[str]:
+        """The modules' names."""
+        names = [name for name, _ in self.net.named_modules()]
+        return [name for name in names if name.endswith(self.noun_tables)]
+
+    def rows_of(self, table: str, source: Batches) -> Int[Tensor, " r"]:  # noqa: ARG002
+        """The rows of a noun table that the source has samples of."""
+        return source.samples.noun.unique().long() + 1
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
         """The tensors of a shipped file, by the names that they have here."""
@@ -320,38 +367,51 @@ class Training:
 
     def save(self, path: Path) -> None:
         """Everything that ``resume`` needs, in one file; and the averaged weights next to it."""
-        tensors = {}
-        for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
-            tensors |= {f"net.{name}": p.detach().contiguous(), f"ema.{name}": mean.contiguous()}
-            if state := self.optimizer.state.get(p):  # what is held has none
-                tensors |= {f"m.{name}": state["exp_avg"].contiguous()}
-                tensors |= {f"v.{name}": state["exp_avg_sq"].contiguous()}
+        tensors = {f"net.{name}": p for name, p in self.weights().items()}
+        for name, p, mean in zip(self.names, self.params, self.ema, strict=True):
+            tensors[f"ema.{name}"] = mean
+            if state := self.optimizer.state.get(p):
+                tensors |= {f"m.{name}": state["exp_avg"], f"v.{name}": state["exp_avg_sq"]}
         facts = {"step": self.step, "seconds": self.seconds, "loss": self.loss, "held": self.held}
         facts["held_until"] = self.held_until
-        write_tensors(path, tensors, {"training": json.dumps(facts)})
+        contiguous = {name: tensor.contiguous() for name, tensor in tensors.items()}
+        write_tensors(path, contiguous, {"training": json.dumps(facts)})
         save_weights(
             path.with_name(path.stem + "_ema.safetensors"), self.net.config, self.averaged()
         )
 
-    def averaged(self) -> dict[str, Tensor]:
-        """The moving average of the weights."""
-        names = [name for name, _ in self.net.named_parameters()]
-        return dict(zip(names, self.ema, strict=True))
+    def weights(self) -> dict[str, Tensor]:
+        """By their names in a net of which nothing is held."""
+        return self._whole(self.params)
 
-    def resume(self, path: Path) -> None:
-        """Go on from ``save``'s file."""
+    def averaged(self) -> dict[str, Tensor]:
+        """Their moving average."""
+        return self._whole(self.ema)
+
+    def _whole(self, learning: list[Tensor]) -> dict[str, Tensor]:
+        """All weights, of what learns these."""
+        found = {name: p.detach() for name, p in self.net.named_parameters()}
+        found |= {name: p.detach() for name, p in zip(self.names, learning, strict=True)}
+        for table in self._noun_tables() if self.held else ():
+            rows = self.net.get_submodule(table)
+            found[f"{table}.weight"] = rows.whole(found.pop(f"{table}.learnt"))
+        return found
+
+    def resume(self, path: Path, source: Batches) -> None:
+        """Go on from ``save``'s file, with samples of the same nouns."""
         tensors = load_file(path)
         facts = read_metadata(path)["training"]
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
         self.held_until = facts.get("held_until", self.held_until)
-        if facts.get("held"):
-            self.hold()
         # The generator's state is not in the file. Another seed, or the run would see its first
         # batches again.
         self.generator.manual_seed(self.config.seed + self.step)
         with torch.no_grad():
-            for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
+            for name, p in self.net.named_parameters():
                 p.copy_(tensors[f"net.{name}"])
+            if facts.get("held"):
+                self.hold(source)
+            for name, p, mean in zip(self.names, self.params, self.ema, strict=True):
                 mean.copy_(tensors[f"ema.{name}"])
                 if f"m.{name}" not in tensors:
                     continue
@@ -360,11 +420,6 @@ class Training:
                     "exp_avg": torch.empty_like(p).copy_(tensors[f"m.{name}"]),
                     "exp_avg_sq": torch.empty_like(p).copy_(tensors[f"v.{name}"]),
                 }
-
-
-def _but_the_first(gradient: Tensor) -> Tensor:
-    """The gradient of a table without its row 0, "not stated", which all nouns share."""
-    return torch.cat([torch.zeros_like(gradient[:1]), gradient[1:]])
 
 
 def run(training: Training, source: Batches, checkpoint: Path) -> None:

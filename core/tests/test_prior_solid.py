@@ -46,7 +46,6 @@ from core.prior.soften import HALF, SAFETY
 from core.prior.solid_data import (
     REACH,
     SIDE,
-    SOLIDS,
     Solids,
     make_solids,
     read_solids,
@@ -287,49 +286,6 @@ def test_kinds_tell_apart_what_looks_different(folder):
     assert solid_kinds.NAME in {path.name for path in folder.iterdir()}
 
 
-def test_kinds_follow_what_a_family_chooses(tmp_path, monkeypatch):
-    """Two sorts that differ little, of sizes that differ much."""
-    monkeypatch.setattr(solid_kinds, "KINDS", 2)
-    size = torch.arange(24) % 8  # cells, of a column
-    sort = torch.arange(24) // 12
-    grid = torch.full((24, SIDE, SIDE, SIDE), 127, dtype=torch.int8)
-    for column, cells, marked in zip(grid, size, sort, strict=True):
-        column[:4, :4, : 8 + 2 * cells] = -127
-        column[20:24, 20:22, :8] = -127 if marked else 127
-    words = torch.zeros(24, 3, dtype=torch.int16)
-    nothing = torch.zeros(24, 1, 3, dtype=torch.int16), torch.zeros(24, 1, PARTS).half()
-    solids = Solids(grid, *nothing, words, sort + 7)
-    save_file(vars(solids), tmp_path / SOLIDS.replace("*", "00000"))
-    rows = kind_rows(solids, kinds_of(tmp_path))
-    assert [len(rows[sort == one].unique()) for one in (0, 1)] == [1, 1]
-    assert len(rows.unique()) == 2
-
-
-@pytest.mark.parametrize(
-    ("sorts", "kinds"),
-    [
-        ((8, 8, 8), [1, 1, 2]),  # the fourth kind is of the first of the largest
-        ((20, 4), [1, 3]),
-        ((6, 6, 6, 6), [1, 1, 1, 1]),
-    ],
-)
-def test_what_a_family_chooses_makes_kinds_where_the_volumes_are_alike(tmp_path, sorts, kinds):
-    """As of a cube's stickers, whose colours are parts."""
-    grid = torch.randint(-127, 127, (24, SIDE, SIDE, SIDE), generator=_generator()).to(torch.int8)
-    choice = torch.arange(len(sorts)).repeat_interleave(torch.tensor(sorts))
-    nothing = torch.zeros(24, 1, 3, dtype=torch.int16), torch.zeros(24, 1, PARTS).half()
-    solids = Solids(grid, *nothing, torch.zeros(24, 3, dtype=torch.int16), choice + 7)
-    save_file(vars(solids), tmp_path / SOLIDS.replace("*", "00000"))
-    found = kinds_of(tmp_path)
-    rows = kind_rows(solids, found)
-    of_sorts = [set(rows[choice == one].tolist()) for one in range(len(sorts))]
-    assert sorted(map(len, of_sorts)) == kinds
-    assert len(set.union(*of_sorts)) == sum(map(len, of_sorts)), "no kind is of two sorts"
-    # Sorts that the kinds were found without get the nearest.
-    unseen = replace(solids, choices=choice + 99)
-    assert (kind_rows(unseen, found) > 0).all()
-
-
 def test_what_is_rightly_far_has_no_error():
     found = torch.tensor([[3.0, -3.0, 3.0, 0.2]])
     wanted = torch.tensor([[1.0, -1.0, -1.0, 0.5]])
@@ -429,7 +385,7 @@ def test_kinds_begin_anew_and_the_encoder_is_an_older_trainings(folder, tmp_path
     assert not first._held(torch.ones(2)).any()
     # And does so after a stop.
     second.save(tmp_path / "second.safetensors")
-    first.resume(tmp_path / "second.safetensors")
+    first.resume(tmp_path / "second.safetensors", SolidSource(folder))
     assert torch.equal(first._held(torch.ones(2)), torch.ones(2))
 
 
@@ -449,10 +405,11 @@ def test_a_held_training_leaves_all_other_nouns_to_the_bit(folder, tmp_path, kno
         partial(Autoencoder, TINY), TrainConfig(batch=4, warm_up=1), objective=solid_loss
     )
     training.start_from(tmp_path / "old.safetensors")
-    training.hold()
-    before = {name: p.detach().clone() for name, p in training.net.named_parameters()}
+    source = SolidSource(folder)
+    training.hold(source)
+    before = {name: p.clone() for name, p in training.weights().items()}
     for _ in range(3):
-        training.advance(SolidSource(folder))
+        training.advance(source)
     assert not torch.equal(training.net.encoder.words.weight, before["encoder.words.weight"])
     for path in folder.iterdir():
         (tmp_path / path.name).symlink_to(path)

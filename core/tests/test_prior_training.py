@@ -164,7 +164,7 @@ def test_a_training_goes_on_where_it_was_stopped(folder, tmp_path):
         training.advance(source)
     training.save(tmp_path / "geometry.safetensors")
     again = Training(partial(UNet, TINY), TrainConfig(batch=2, minutes=1, seed=5))
-    again.resume(tmp_path / "geometry.safetensors")
+    again.resume(tmp_path / "geometry.safetensors", source)
     assert (again.step, again.seconds) == (2, training.seconds)
     for a, b in zip(training.params + training.ema, again.params + again.ema, strict=True):
         assert torch.equal(a, b)
@@ -208,20 +208,20 @@ def test_what_is_held_stays_to_the_bit_and_the_datas_nouns_learn(known, tmp_path
     mug = 1 + NOUNS.index("mug")
     config = TrainConfig(batch=4, minutes=60, warm_up=1)
     for again in (False, True):
-        training = Training(partial(UNet, TINY), config)
+        training, source = Training(partial(UNet, TINY), config), Geometry(tmp_path)
         if again:  # it holds by itself
-            training.resume(tmp_path / "net.safetensors")
+            training.resume(tmp_path / "net.safetensors", source)
         else:
             training.start_from(tmp_path / "old.safetensors")
-            training.hold()
-        before = training.net.words[0].weight.detach().clone()
+            training.hold(source)
+        before = training.weights()["words.0.weight"].clone()
         for _ in range(3):
-            training.advance(Geometry(tmp_path))
+            training.advance(source)
         training.save(tmp_path / "net.safetensors")
-        assert not torch.equal(training.net.words[0].weight[mug], before[mug])
+        assert not torch.equal(training.weights()["words.0.weight"][mug], before[mug])
     shipped = load_file(tmp_path / "old.safetensors")
     # In full too: what half precision rounds off would be seen after more steps.
-    found = (load_file(tmp_path / "net_ema.safetensors"), dict(training.net.named_parameters()))
+    found = load_file(tmp_path / "net_ema.safetensors"), training.weights()
     for name, tensor in (item for tensors in found for item in tensors.items()):
         others = torch.arange(len(shipped[name]))
         if name == "words.0.weight":
