@@ -45,6 +45,7 @@ def test_what_is_said_of_a_part_in_front_of_the_thing_is_the_parts(
         ("a red flower pot", "flower pot", "", "red"),  # a thing by itself
         ("a leather bound book", "book", "leather", ""),  # no part
         ("a gold plated ring", "ring", "golden", ""),
+        ("a leather wrapped chair", "chair", "leather", ""),
         ("a white painted bunk bed", "bunk bed", "", "white"),
         ("a red, topped table", "table", "", "red"),  # of another clause
         ("a red knight's helmet", "helmet", "", "red"),

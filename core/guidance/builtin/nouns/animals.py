@@ -210,7 +210,8 @@ ANIMALS = {
         "electrician, lumberjack, fisherman, gardener, janitor, cashier, barista, judge, lawyer, "
         "spy, hacker, singer, guitarist, drummer, hunter, bandit, guardian, trader, innkeeper, "
         "shopkeeper, lighthouse keeper, beekeeper, zookeeper, goalkeeper, beggar, bride, groom, "
-        "swimmer, runner, footballer, cyclist, old man, old woman, young man, young woman",
+        "swimmer, runner, footballer, cyclist, skateboarder, golfer, punk rocker, old man, old "
+        "woman, young man, young woman",
         {
             "shirt": "*c23b34 . fabric",
             "skin": "-e0ac86",

@@ -73,8 +73,9 @@ SHOWPIECE_HOUSEHOLD = {
 }
 SHOWPIECE_DEVICES = {
     "computer tower": Noun(
-        "computer towers, pc tower, tower pc, tower computer, desktop tower, gaming tower, gaming "
-        "pc, gaming computer, gaming rig, gaming desktop, pc case, computer case, custom pc, rgb "
+        "computer towers, pc tower, gaming pc tower, tower pc, tower computer, desktop tower, "
+        "gaming tower, gaming pc, gaming computer, gaming rig, gaming desktop, pc case, computer "
+        "case, custom pc, rgb "
         "pc, pc build; gaming desktop computer, tower server, water cooled pc",
         {
             "body": "*26282c . paint",

@@ -19,6 +19,7 @@ OF_ALL = (
     "coated",
     "varnished",
     "covered",
+    "wrapped",
 )  # "gold plated" has no plate
 
 JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")

@@ -18,6 +18,7 @@ from typing import Any
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
+from core.guidance.builtin.words.asking import asked_for
 from core.guidance.builtin.words.companion_openers import is_doing
 from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
@@ -133,7 +134,7 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    prompt = made_active(MINE.sub("", prompt)) if noun_needed else prompt
+    prompt = made_active(MINE.sub("", asked_for(prompt))) if noun_needed else prompt
     if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
         return pair
     try:

@@ -165,8 +165,8 @@ FILLER = PLACES | frozenset(
     traditional elegant lovely pretty infront shot carving replica pose posed warm cool or nor but
     only extra some please pls plz i you we he she they me my your his her our their want need would
     make create generate give show draw build design lol idk omg btw tho kinda smth something just
-    only really number also thats too so any yet other nothing else lowkey quite actually basically
-    literally together""".split()
+    only really number also thats all too so any yet other nothing else lowkey quite actually
+    basically literally together""".split()
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
