@@ -215,7 +215,7 @@ def test_a_striped_rug_has_stripes_across_it(monkeypatch):
     """Level ones, as a mast's, would leave what lies in one colour."""
     monkeypatch.setattr(pieces, "SEARCH", 40)
     prompted = shipped_prior().prompted("a red and white striped rug", "").of_object(0)
-    areas, size = prompted.areas(), prompted._known.extents()[0]
+    areas, size = prompted.areas(), prompted.parts().extents()[0]
     along, across = (0, 1) if size[0] > size[1] else (1, 0)
     line = torch.zeros(400, 3)
     line[:, along] = torch.linspace(-0.45, 0.45, 400) * size[along]

@@ -321,7 +321,7 @@ def test_what_bears_what_is_drawn_stays():
     at = torch.zeros(1, 3)
     assert torch.equal(without.solid.distances(at), whole.solid.distances(at))
     assert [text for text in without.left_out() if text.startswith("no border")]
-    assert without._marked.laid
+    assert without.painted.marked.laid
     plain = builtin_prior.prompted("a rug without a lozenge", "").of_object(0)
     assert not plain.left_out()
 
@@ -332,7 +332,7 @@ def test_what_bears_what_is_drawn_stays():
 def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
     prompted = shipped_prior().prompted(prompt, "").of_object(0)
     badge = list(looks("kettlebell")).index("badge")
-    assert (badge in [part for part, *_ in prompted._marked.laid]) is there
+    assert (badge in [part for part, *_ in prompted.painted.marked.laid]) is there
 
 
 def test_a_run_tells_what_of_the_prompt_is_left_out(tmp_path, monkeypatch):

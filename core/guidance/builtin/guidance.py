@@ -4,11 +4,8 @@ The geometry network paints object-frame normals, the appearance network paints 
 normals. Both work on pictures of 64² without an autoencoder: the latent is the picture.
 """
 
-import math
 import warnings
-from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property, partial
 
 import torch
 from jaxtyping import Float, Int
@@ -17,23 +14,17 @@ from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
 from core.device import has_fast_bfloat16
-from core.geometry.assembly import Forms, KnownParts
+from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
-from core.guidance.builtin.areas import AreaFields, SolidAreas, depths, patterned
-from core.guidance.builtin.bent import BentSolid, bent
-from core.guidance.builtin.composition.clothing import Garment
+from core.guidance.builtin.areas import AreaFields, SolidAreas
+from core.guidance.builtin.bent import bent
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.wearing import freed
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
-from core.guidance.builtin.markings.drawn import Drawn, drawn_on
 from core.guidance.builtin.markings.markings import (
-    Marked,
-    bearer_of,
-    has_markings,
     is_marking,
-    unfit_markings,
 )
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.nouns import solid_of
@@ -46,22 +37,20 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.palette import FINISHES, Painted, looks, painted
-from core.guidance.builtin.part_forms import CORNERED, part_forms_table
+from core.guidance.builtin.painted_solid import PaintedSolid, bears
+from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
-from core.guidance.builtin.patterns import ALONG, Laid, axis_of
 from core.guidance.builtin.restore import as_render, restored
 from core.guidance.builtin.solid import FORMS, Solid, load_solid_net
 from core.guidance.builtin.solid_net import SolidNet
-from core.guidance.builtin.stretch import AS_IT_IS, known_wider
-from core.guidance.builtin.surfaces import ranges_of, surface_of, surfaces_of
+from core.guidance.builtin.stretch import known_wider
+from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import (
-    Area,
     Guidance,
     NormalFrame,
     Predictions,
@@ -74,14 +63,10 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
-SOFT = 0.01  # of a part's surface, flat: known, and not so
-EVEN = 0.02  # of a scale, along two axes: a circle stays one
 NOT_DRAWN_ON = (
     "left out, as only on what the built-in prior draws itself is something written or drawn; not "
     "on a mesh of yours, nor where the shape is distilled."
 )
-BEARS = "it stays, as what is drawn lies on it."
-NO_ROOM = "left out, as the thing has no room for it."
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
 
@@ -158,6 +143,7 @@ class PromptedBuiltin(PromptedGuidance):
         """``solid``: the object that is to be made, where one is drawn; its parts are known."""
         super().__init__(guidance)
         self.builtin, self.words, self.negative, self.solid = guidance, words, negative, solid
+        self.painted = solid and PaintedSolid(words, solid)
 
     def ranges(self) -> MaterialRanges:
         """The roughness and metallic that the words' parts are painted with, and a little around.
@@ -188,8 +174,9 @@ class PromptedBuiltin(PromptedGuidance):
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
         parts = list(looks(words.noun))
-        gone = [k for k, part in enumerate(parts) if part in words.absent and not self._bears(part)]
-        gone += [k for k, part in enumerate(parts) if is_marking(words.noun, part)]
+        left = {part for part in words.absent if not bears(words, part)}
+        left |= {part for part in parts if is_marking(words.noun, part)}
+        gone = [k for k, part in enumerate(parts) if part in left]
         absent = (*gone, *range(len(parts), len(looks(solid_of(words.noun)))))
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, absent, words.kinds)
@@ -219,105 +206,24 @@ class PromptedBuiltin(PromptedGuidance):
 
     def area_fields(self) -> AreaFields | None:
         """Those areas in space, and what is meant by each."""
-        known = self._known
-        if known is None:
-            return None
-        parts, emblems = self._painted
-        axes = self._axes or (2,) * len(parts)
-        laid = [Laid(part.pattern, axis) for part, axis in zip(parts, axes, strict=True)]
-        each = []
-        for part, pattern in zip(parts, laid, strict=True):
-            # Where the colours of some patterns lie is learnt, such as of a tower's bricks.
-            plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
-            colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
-            surface = surface_of(self.words, part)
-            each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
-        margins = [pattern.margins() for pattern in laid]
-        fields = [self._shown, lambda points: self._marked(known.near(points), points)]
-        for emblem in emblems:
-            fields = [partial(_with, emblem, field) for field in fields]
-            paint = emblem.paint
-            surface = surface_of(self.words, paint)
-            each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
-            margins.append(None)
-        drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
-        return AreaFields(drawn, near, tuple(each))
+        return self.painted and self.painted.area_fields(self._axes)
 
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that is not there: on a mesh of the user's, where the shape is
         distilled, and where the thing has no room for it; and on each part that stays."""
-        if self._known is None:
+        if self.painted is None:
             return tuple(f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
-        _, emblems = self._painted
-        stay = tuple(f"no {part}: {BEARS}" for part in self.words.absent if self._bears(part))
-        return stay + tuple(f"{one.emblem}: {NO_ROOM}" for one in emblems if not one.has_place)
-
-    def _bears(self, part: str) -> bool:
-        """Whether markings that are to be there lie on the part."""
-        marked = (name for name in looks(self.words.noun) if name not in self.words.absent)
-        noun = self.words.noun
-        return any(is_marking(noun, name) and bearer_of(noun, name) == part for name in marked)
+        return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:
-        """The drawn solid's; what its adjective makes oval is not round."""
-        return self._known
+        """The drawn solid's."""
+        return self.painted and self.painted.parts
 
-    @cached_property
-    def _known(self) -> KnownParts | None:
-        if self.solid is None:
-            return None
-        flat, around = part_forms_table()[self.words.noun]
-        if isinstance(self.solid, Garment):  # it has its wearer's form
-            soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
-            return KnownParts(self.solid.distances, soft)
-        x, y, z = self.solid.frame.scale
-        even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
-        kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        # A guide may be as wide as the cube, beyond which nothing is looked at.
-        is_guided = isinstance(self.solid, BentSolid)
-        wider = AS_IT_IS if is_guided else known_wider(solid_of(self.words.noun))
-        corners = CORNERED.get(solid_of(self.words.noun), ())
-        cornered = [part for part, name in enumerate(looks(self.words.noun)) if name in corners]
-        return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
-
-    @cached_property
-    def _painted(self) -> tuple[list[Painted], list[Drawn]]:
-        """The drawn solid's parts, and what the prompt wants drawn on them."""
-        parts = list(painted(self.words.noun, self.words))
-        assert self._known is not None
-        return parts, drawn_on(self.words.noun, self.words.emblems, self._known, parts)
-
-    def _shown(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
-        """The drawn solid's distances with the markings among the parts."""
-        assert self.solid is not None
-        return self._marked(self.solid.distances(points), points)
-
-    @cached_property
-    def _marked(self) -> Marked:
-        assert self._known is not None
-        noun = self.words.noun
-        gone = {name for name in self.words.absent if not self._bears(name)}
-        gone |= unfit_markings(noun, {part.name: part.material for part in self._painted[0]})
-        if any(emblem.text for emblem in self.words.emblems):
-            gone |= {"letters", "number"}  # others are to be there
-        if self.words.emblems and is_marking(noun, "badge"):
-            parts, emblems = self._painted
-            taken = {parts[one.on].name for one in emblems if one.has_place}
-            gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
-        names = ["" if name in gone else name for name in looks(noun)]
-        return Marked(noun, names, self._known.boxes() if has_markings(noun) else ())
-
-    @cached_property
+    @property
     def _axes(self) -> tuple[int, ...]:
         """Of each of the drawn solid's parts, along which stripes follow one another; none where
-        nothing is striped, or where the negative prompt is of another thing."""
-        parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
-        lies = ALONG.intersection(one.pattern for one in parts)
-        if not self._known or self.negative.noun or not lies:
-            return ()
-        extents, names = self._known.extents(), [one.name for one in parts]
-        borne = (names.index(bearer_of(self.words.noun, name)) for name in names)
-        return tuple(axis_of(extents[part]) for part in borne)
+        the negative prompt is of another thing."""
+        return () if self.painted is None or self.negative.noun else self.painted.axes
 
     @torch.no_grad()
     def restore(
@@ -383,9 +289,9 @@ class PromptedBuiltin(PromptedGuidance):
         branches = len(nouns) // len(surface)
         if self.builtin.parts is None:  # no colour is then stated of any place
             return surface.new_zeros(len(nouns), PART_COUNT, SIZE, SIZE)
-        if self.solid is not None and not self.negative.noun:
+        if self.painted is not None and not self.negative.noun:
             # The branch without words has no parts.
-            known = known_part_map(self._shown, surface)
+            known = known_part_map(self.painted.shown, surface)
             return known.repeat(branches, 1, 1, 1) * (nouns > 0)[:, None, None, None]
         surface = surface.repeat(branches, 1, 1, 1)
         with torch.autocast(nouns.device.type, torch.bfloat16, enabled=self.builtin.half):
@@ -402,12 +308,6 @@ class PromptedBuiltin(PromptedGuidance):
     def _branches(self, slots: tuple[str, ...], apart: bool) -> list[Words]:
         none = apart and self.negative.indices(slots) != Words().indices(slots)
         return [self.words, *([Words()] if none else []), self.negative]
-
-
-def _with(
-    emblem: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
-) -> Float[Tensor, "n p"]:
-    return emblem(field(points), points)
 
 
 def load_builtin(device: "torch.device | str", *, ignore_unknown: bool = False) -> BuiltinGuidance:

@@ -1,0 +1,137 @@
+"""A drawn solid as it is painted: its parts, their markings, what a prompt wants drawn on them."""
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cached_property, partial
+
+from jaxtyping import Float
+from torch import Tensor
+
+from core.geometry.assembly import Forms, KnownParts
+from core.guidance.builtin.areas import AreaFields, depths, patterned
+from core.guidance.builtin.bent import BentSolid
+from core.guidance.builtin.composition.clothing import Garment
+from core.guidance.builtin.markings.drawn import Drawn, drawn_on
+from core.guidance.builtin.markings.markings import (
+    Marked,
+    bearer_of,
+    has_markings,
+    is_marking,
+    unfit_markings,
+)
+from core.guidance.builtin.nouns import solid_of
+from core.guidance.builtin.palette import looks, painted
+from core.guidance.builtin.part_forms import CORNERED, part_forms_table
+from core.guidance.builtin.patterns import ALONG, Laid, axis_of
+from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.stretch import AS_IT_IS, known_wider
+from core.guidance.builtin.surfaces import ranges_of, surface_of
+from core.guidance.builtin.words.slots import Words
+from core.guidance.guidance import Area
+
+SOFT = 0.01  # of a part's surface, flat: known, and not so
+EVEN = 0.02  # of a scale, along two axes: a circle stays one
+BEARS = "it stays, as what is drawn lies on it."
+NO_ROOM = "left out, as the thing has no room for it."
+
+
+class PaintedSolid:
+    """One object that the words mean."""
+
+    def __init__(self, words: Words, solid: Solid) -> None:
+        self.words, self.solid = words, solid
+        self.paints = list(painted(words.noun, words))
+
+    @cached_property
+    def parts(self) -> KnownParts:
+        """Its pieces; what its adjective makes oval is not round."""
+        noun = self.words.noun
+        flat, around = part_forms_table()[noun]
+        if isinstance(self.solid, Garment):  # it has its wearer's form
+            soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
+            return KnownParts(self.solid.distances, soft)
+        x, y, z = self.solid.frame.scale
+        even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
+        kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
+        # A guide may be as wide as the cube, beyond which nothing is looked at.
+        is_guided = isinstance(self.solid, BentSolid)
+        wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
+        corners = CORNERED.get(solid_of(noun), ())
+        cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
+        return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
+
+    @cached_property
+    def emblems(self) -> list[Drawn]:
+        """What the prompt wants drawn on it."""
+        return drawn_on(self.words.noun, self.words.emblems, self.parts, self.paints)
+
+    @cached_property
+    def marked(self) -> Marked:
+        """The markings among its parts."""
+        noun = self.words.noun
+        gone = {name for name in self.words.absent if not bears(self.words, name)}
+        gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
+        if any(emblem.text for emblem in self.words.emblems):
+            gone |= {"letters", "number"}  # others are to be there
+        if self.words.emblems and is_marking(noun, "badge"):
+            taken = {self.paints[one.on].name for one in self.emblems if one.has_place}
+            gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
+        names = ["" if name in gone else name for name in looks(noun)]
+        return Marked(noun, names, self.parts.boxes() if has_markings(noun) else ())
+
+    @cached_property
+    def axes(self) -> tuple[int, ...]:
+        """Of each part, along which stripes follow one another; none where nothing is striped."""
+        if not ALONG.intersection(one.pattern for one in self.paints):
+            return ()
+        extents, names = self.parts.extents(), [one.name for one in self.paints]
+        borne = (names.index(bearer_of(self.words.noun, name)) for name in names)
+        return tuple(axis_of(extents[part]) for part in borne)
+
+    def shown(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The drawn distances with the markings among the parts."""
+        return self.marked(self.solid.distances(points), points)
+
+    def area_fields(self, axes: Sequence[int]) -> AreaFields:
+        """The parts in the colours of their patterns, in space, and what is meant by each.
+
+        ``axes``: as its own, or none.
+        """
+        along = axes or (2,) * len(self.paints)
+        laid = [Laid(part.pattern, axis) for part, axis in zip(self.paints, along, strict=True)]
+        each = []
+        for part, pattern in zip(self.paints, laid, strict=True):
+            # Where the colours of some patterns lie is learnt, such as of a tower's bricks.
+            plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
+            colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
+            surface = surface_of(self.words, part)
+            each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
+        margins = [pattern.margins() for pattern in laid]
+        fields = [self.shown, lambda points: self.marked(self.parts.near(points), points)]
+        for emblem in self.emblems:
+            fields = [partial(_with, emblem, field) for field in fields]
+            paint = emblem.paint
+            surface = surface_of(self.words, paint)
+            each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
+            margins.append(None)
+        drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
+        return AreaFields(drawn, near, tuple(each))
+
+    def left_out(self) -> tuple[str, ...]:
+        """A note on each emblem that the thing has no room for, and on each part that stays."""
+        stay = (part for part in self.words.absent if bears(self.words, part))
+        no_room = (one.emblem for one in self.emblems if not one.has_place)
+        return (*(f"no {part}: {BEARS}" for part in stay), *(f"{e}: {NO_ROOM}" for e in no_room))
+
+
+def bears(words: Words, part: str) -> bool:
+    """Whether markings that are to be there lie on the part."""
+    noun = words.noun
+    marked = (name for name in looks(noun) if name not in words.absent)
+    return any(is_marking(noun, name) and bearer_of(noun, name) == part for name in marked)
+
+
+def _with(
+    emblem: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
+) -> Float[Tensor, "n p"]:
+    return emblem(field(points), points)
