@@ -61,6 +61,7 @@ BLOCK, SHARP = 0.58, 0.78
 CLEAR, BLADED = 0.06, 0.7
 ENDLESS = "wall", "blade", "limb"  # without ends across an axis
 STRUT = 0.03  # radius, training units
+STRAY = 0.25  # of the area of a part's least piece, what is none of it at most
 
 
 class Forms(NamedTuple):
@@ -69,6 +70,9 @@ class Forms(NamedTuple):
     flat: Sequence[float]  # of each, the fraction of its surface that is flat
     round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
     cornered: Collection[int] = ()  # parts of corners that are too many to be told from round
+    # Of each the area of its least piece, as a fraction of its largest one's; 0 where that is not
+    # known.
+    least: Sequence[float] = ()
 
     def may_be_flat(self, part: int) -> bool:
         """Whether pieces of the part may have flat faces; of what is small or was never seen the
@@ -104,6 +108,7 @@ class KnownParts:
         are so exactly."""
         found = places_of(self._wide, len(self.forms.flat))
         drawn = [piece for place in found for piece in drawn_in(self._wide, place)]
+        drawn = without_strays(drawn, self.forms.least)
         pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
         pairs = [(piece, self._bladed(piece, one or self._turned(piece))) for piece, one in pairs]
         told = [self._told(piece, one) for piece, one in pairs]
@@ -254,6 +259,21 @@ def assembled(
     if not meshes:
         return None
     return drop_floaters(*union(meshes, STRUT), floaters)
+
+
+def without_strays(pieces: list[Piece], least: Sequence[float]) -> list[Piece]:
+    """The pieces but for those far smaller than any is that their part has: of a boy's hair a bit
+    lay beside each shoe."""
+    areas = [float(face_areas(piece.verts, piece.faces).sum()) for piece in pieces]
+    largest: dict[int, float] = {}
+    for piece, area in zip(pieces, areas, strict=True):
+        largest[piece.place.part] = max(area, largest.get(piece.place.part, 0.0))
+    known = dict(enumerate(least))
+    return [
+        piece
+        for piece, area in zip(pieces, areas, strict=True)
+        if area >= STRAY * known.get(piece.place.part, 0.0) * largest[piece.place.part]
+    ]
 
 
 def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Primitive | None]:

@@ -1,4 +1,5 @@
-"""How much of each part's surface is flat, and how much the same all around, by the families."""
+"""How much of each part's surface is flat, how much the same all around, how small its pieces are,
+by the families."""
 
 import json
 import math
@@ -23,7 +24,7 @@ from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import Shape, build, gradient, surface_points
 
-OBJECTS = 6  # of a noun
+OBJECTS, FEW_OBJECTS = 6, 3  # of a noun
 POINTS = 3000  # of an object
 STEPS = (0.04, 0.12)  # training units between the places whose normals are compared
 FLAT_DEG = 2.5  # between them at the first
@@ -83,12 +84,8 @@ def axes_of(
     found = torch.zeros(3, len(points), 3)
     for k in part.unique().tolist():
         solid = partial(_distance_to, shape, k)
-        own = surface_points(solid, 2 * EXTENT / 1.5)
+        own, tree, piece = pieces_of(shape, k)
         normal = gradient(solid, own)
-        tree = KDTree(own.numpy())
-        pairs = tree.query_pairs(APART, output_type="ndarray")
-        graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(own), len(own)))
-        piece = connected_components(graph, directed=False)[1]
         mine = torch.nonzero(part == k)[:, 0]
         of = piece[tree.query(points[mine].numpy())[1]]
         for each in np.unique(of):
@@ -101,6 +98,29 @@ def axes_of(
                 here = mine[torch.from_numpy(of == each)]
                 found[along, here[:, None], torch.tensor(aside)] = torch.from_numpy(at).float()
     return found
+
+
+def pieces_of(shape: Shape, part: int) -> tuple[Tensor, KDTree, Int[np.ndarray, " n"]]:
+    """Points of a part's surface, as a tree too, and the piece that each is of."""
+    own = surface_points(partial(_distance_to, shape, part), 2 * EXTENT / 1.5)
+    tree = KDTree(own.numpy())
+    pairs = tree.query_pairs(APART, output_type="ndarray")
+    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(own), len(own)))
+    return own, tree, connected_components(graph, directed=False)[1]
+
+
+def least_pieces(noun: str, objects: int = FEW_OBJECTS) -> list[float]:
+    """Of each of the noun's parts the area of its least piece, as a fraction of its largest one's;
+    0 of a part never seen."""
+    draw = Draw(torch.Generator().manual_seed(SEED + NOUNS.index(noun)))
+    found = np.full(PARTS, np.inf)
+    for _ in range(objects):
+        shape = build(noun, "", draw)
+        for part in range(shape.distances(torch.zeros(1, 3)).shape[1]):
+            counts = np.bincount(pieces_of(shape, part)[2])
+            if len(counts):
+                found[part] = min(found[part], counts.min() / counts.max())
+    return np.where(np.isfinite(found), found, 0.0).round(3).tolist()
 
 
 def _distance_to(shape: Shape, part: int, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
@@ -143,6 +163,6 @@ def write_forms(path: Path = TABLE, nouns: Sequence[str] = NOUNS) -> None:
     table = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     for noun in nouns:
         flat, *around = ([round(x, 2) for x in row] for row in part_forms(noun).tolist())
-        table[noun] = {"flat": flat, "round": around}
+        table[noun] = {"flat": flat, "round": around, "least": least_pieces(noun)}
     lines = [f"{json.dumps(noun)}: {json.dumps(table[noun])}" for noun in NOUNS if noun in table]
     write_text(path, "{\n" + ",\n".join(lines) + "\n}\n")

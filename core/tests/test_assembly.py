@@ -36,6 +36,7 @@ from core.render.normals import face_normals
 from core.tests.meshes import torus
 
 BOARD, LEGS, BALL = range(3)
+BALLS = ((0.0, 0.4), (-0.7, 0.073))  # where along x, and the radius
 FORMS = Forms((1.0, 0.8, 0.0), ((0.3, 0.2, 1.0),) * 3)
 
 
@@ -486,3 +487,17 @@ def test_a_primitive_is_not_what_has_a_spike(high, stays):
     assert piece is not None
     board = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.8, 0.8, 0.15, 0.0]))
     assert assembly.is_drawn(distances, board, piece) == stays
+
+
+@pytest.mark.parametrize(("least", "pieces"), [((), 2), ((0.02,), 2), ((1.0,), 1), ((0.0,), 2)])
+def test_what_is_far_smaller_than_any_piece_of_its_part_is_a_stray(least, pieces):
+    """A ball, and one of a thirtieth of its surface."""
+
+    def balls(points):
+        return torch.stack(
+            [(points - torch.tensor([x, 0.0, 0.0])).norm(dim=1) - r for x, r in BALLS], 1
+        ).amin(1, keepdim=True)
+
+    found = KnownParts(balls, Forms((0.0,), ((1.0,),) * 3, least=least)).pieces
+    assert len(found) == pieces
+    assert max(float(piece.verts[:, 0].max()) for piece in found) == pytest.approx(0.4, abs=0.02)

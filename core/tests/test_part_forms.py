@@ -26,7 +26,7 @@ def test_each_noun_has_a_row_with_all_its_parts():
     assert set(table) == set(NOUNS)
     for noun, forms in table.items():
         assert len(forms.round) == 3
-        for row in (forms.flat, *forms.round):
+        for row in (forms.flat, *forms.round, forms.least):
             assert all(0 <= x <= 1 for x in row)
             assert not any(row[len(NOUNS[solid_of(noun)].looks) :])
 
@@ -38,10 +38,19 @@ def test_the_table_is_of_the_families_of_today(noun):
         # Rounded to hundredths; and of 360 points of a handle one or two lie so near a bound that
         # another CPU has them on its other side.
         assert found == pytest.approx(row, abs=0.008)
+    assert asked.least_pieces(noun) == pytest.approx(forms.least, abs=0.02)
+
+
+def test_a_parts_least_piece_is_told_by_its_surface():
+    """Two shoes are alike, hair is one; of parts that are not there is none."""
+    table = part_forms_table()["boy"].least
+    looks = dict(zip(NOUNS["boy"].looks, table, strict=False))
+    assert looks["shoes"] > 0.9 and looks["hair"] == 1 and not any(table[len(looks) :])
 
 
 def test_asking_some_nouns_keeps_what_is_said_of_the_others(tmp_path, monkeypatch):
     monkeypatch.setattr(asked, "part_forms", lambda noun: torch.full((4, 8), len(noun) / 10))
+    monkeypatch.setattr(asked, "least_pieces", lambda noun: [1.0] * len(noun))
     path = tmp_path / "forms.json"
     asked.write_forms(path, ["mug", "chair"])
     asked.write_forms(path, ["vase"])
@@ -107,7 +116,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     assert prompted.parts() is None
     drawn = prompted.of_object(0)
     parts = drawn.parts()
-    assert parts is not None and parts.forms[:2] == part_forms_table()["mug"]
+    assert parts is not None and parts.forms[:2] == part_forms_table()["mug"][:2]
     assert drawn.solid is not None
     found = parts.distances(drawn.solid.mesh[0]).argmin(1)
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle

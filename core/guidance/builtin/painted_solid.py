@@ -46,7 +46,7 @@ class PaintedSolid:
     def parts(self) -> KnownParts:
         """Its pieces; what its adjective makes oval is not round."""
         noun = self.words.noun
-        flat, around = part_forms_table()[noun]
+        flat, around, least = part_forms_table()[noun]
         if isinstance(self.solid, Garment):  # it has its wearer's form
             soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
             return KnownParts(self.solid.distances, soft)
@@ -58,7 +58,7 @@ class PaintedSolid:
         wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
         corners = CORNERED.get(solid_of(noun), ())
         cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
-        return KnownParts(self.solid.distances, Forms(flat, kept, cornered), wider)
+        return KnownParts(self.solid.distances, Forms(flat, kept, cornered, least), wider)
 
     @cached_property
     def emblems(self) -> list[Drawn]:

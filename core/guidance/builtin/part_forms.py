@@ -1,4 +1,5 @@
-"""How flat and how round the parts of each noun are: a table of the families (core.prior)."""
+"""How flat and how round the parts of each noun are, and how small their pieces: a table of the
+families (core.prior)."""
 
 import json
 from functools import cache
@@ -14,11 +15,13 @@ CORNERED = {"stop sign": ("plate", "rim")}
 
 
 class PartForms(NamedTuple):
-    """Of each part of a noun, fractions of its surface."""
+    """Of each part of a noun."""
 
-    flat: tuple[float, ...]
-    # The same all around an axis of its piece (of a car's wheels each is one): along x, y, z.
+    flat: tuple[float, ...]  # fraction of its surface
+    # And what is the same all around an axis of its piece (of a car's wheels each is one): along x, y, z.
     round: tuple[tuple[float, ...], ...]
+    # The area of its least piece, as a fraction of its largest one's.
+    least: tuple[float, ...]
 
 
 def is_round(noun: str) -> bool:
@@ -32,6 +35,7 @@ def part_forms_table() -> dict[str, PartForms]:
     """By noun."""
     rows = json.loads(TABLE.read_text("utf-8"))
     known = {
-        noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"]))) for noun, r in rows.items()
+        noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"])), tuple(r["least"]))
+        for noun, r in rows.items()
     }
     return known | {noun: known[row.solid] for noun, row in NOUNS.items() if row.solid}
