@@ -18,7 +18,8 @@ class PartForms(NamedTuple):
     """Of each part of a noun."""
 
     flat: tuple[float, ...]  # fraction of its surface
-    # And what is the same all around an axis of its piece (of a car's wheels each is one): along x, y, z.
+    # And what is the same all around an axis of its piece, along x, y, z: of a car's wheels each is
+    # a piece.
     round: tuple[tuple[float, ...], ...]
     # The area of its least piece, as a fraction of its largest one's.
     least: tuple[float, ...]
