@@ -121,8 +121,9 @@ def assembled_shape(
 
 def leashed(parts: KnownParts, leash: Leash) -> KnownParts:
     """``parts`` within the leash, and the guide's inside, which is neither flat nor round."""
-    flat, around, cornered = parts.forms
+    flat, around, cornered, _ = parts.forms
     distances = leash.parts(parts.distances, len(flat))
+    # The leash may cut pieces small.
     forms = Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around), cornered)
     return KnownParts(distances, forms, parts.wider)
 
