@@ -27,7 +27,6 @@ from core.geometry.fitting import ANY, Faces, frames_of, primitive_of
 from core.geometry.flush import flush
 from core.geometry.init_shape import sample_surface
 from core.geometry.layered import ends_share, layered, wall
-from core.geometry.limb import limb, paired
 from core.geometry.mesh import drop_floaters, face_areas
 from core.geometry.pieces import (
     FITTED,
@@ -59,9 +58,9 @@ NEAR = 0.1  # training units
 BLOCK, SHARP = 0.58, 0.78
 # Errors in the mean, below which a piece is surely what it seems; what a blade has of that at most.
 CLEAR, BLADED = 0.06, 0.7
-ENDLESS = "wall", "blade", "limb"  # without ends across an axis
+ENDLESS = "wall", "blade"  # without ends across an axis
 STRUT = 0.03  # radius, training units
-STRAY = 0.25  # of the area of a part's least piece, what is none of it at most
+STRAY = 0.06  # of the area of a part's least piece, what is none of it at most
 
 
 class Forms(NamedTuple):
@@ -113,8 +112,7 @@ class KnownParts:
         pairs = [(piece, self._bladed(piece, one or self._turned(piece))) for piece, one in pairs]
         told = [self._told(piece, one) for piece, one in pairs]
         even = flush([piece.primitive for piece in told])
-        made = [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
-        return paired(made)
+        return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
 
     def _told(self, piece: Piece, one: Primitive | None) -> Piece:
         """The piece with the primitive that it is; what is none yet without what breaks its
@@ -152,8 +150,6 @@ class KnownParts:
         each = [*(layered(piece, frame) for frame in frames), wall(piece)]
         if self.forms.faces(piece.place.part).block:
             each.append(blade(piece))
-        else:
-            each.append(limb(piece))
         flat = [one for one in each if one]
         found = self._best(piece, flat)
         if found is None and (one := crossed(piece)):

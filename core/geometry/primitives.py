@@ -16,7 +16,6 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
-from core.geometry import sphere_sweep
 from core.geometry.union import ball, hull, lathe, prisms, rolled, rounded_box, union
 
 Lengths = Float[np.ndarray, " k"]
@@ -125,11 +124,6 @@ def blade(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     return np.max([side, point, -z], axis=0)
 
 
-def limb(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
-    """Balls swept along a curve: place and radius of each of its stops."""
-    return sphere_sweep.distance(p, sphere_sweep.samples(lengths.reshape(-1, 4)))
-
-
 def unrolled(p: Points, radius: float) -> Points:
     """The way around the axis at a radius, 0 where y is least; the height; the distance from it."""
     angle = np.arctan2(p[:, 0], -p[:, 1])
@@ -220,7 +214,6 @@ FORMS = {
     "layers": Form(layers, **OUTLINED),
     "crossed": Form(crossed, **OUTLINED),
     "wall": Form(wall, **OUTLINED),
-    "limb": Form(limb, fits=(0.12, 0.95)),
     "blade": Form(blade, fits=(0.25, 0.85), drawn=((0.6, 0.75), (1.5, 0.95))),
 }
 
@@ -298,20 +291,11 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
     if form == "wall":
         chord = 2 * np.sqrt(2 * CHORD * lengths[0])
         return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))
-    if form == "limb":
-        return _tube(lengths.reshape(-1, 4), edge)
     if form == "blade":
         return hull(_corners(lengths), edge)
     widest = {"ring": lengths.sum(), "turned": lengths[::2].max()}
     count = _segments(widest.get(form, lengths[1:3].max()))
     return lathe(_profile(form, lengths), edge, count)
-
-
-def _tube(stops: sphere_sweep.Stops, edge: float) -> tuple[Tensor, Tensor]:
-    way = np.linalg.norm(np.diff(stops[:, :3], axis=0), axis=1).max()
-    balls = sphere_sweep.samples(stops, max(sphere_sweep.STEPS, int(np.ceil(way / edge))))
-    verts, faces = sphere_sweep.tube(balls, _segments(balls[:, 3].max()))
-    return torch.from_numpy(verts).float(), torch.from_numpy(faces)
 
 
 def _corners(blade: Lengths) -> Points:

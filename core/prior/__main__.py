@@ -221,7 +221,7 @@ def train(options: argparse.Namespace) -> None:
         training.resume(checkpoint, samples)
     elif options.start:
         training.start_from(options.start)
-    if isinstance(training, SolidTraining) and not training.step:
+    if isinstance(training, SolidTraining) and not checkpoint.exists():
         if options.encoder:
             training.encode_as(options.encoder)
         if options.anew:

@@ -70,12 +70,14 @@ def in_order_of(net: SolidNet, kinds: Kinds, nouns: Int[Tensor, " n"]) -> Kinds:
 @torch.no_grad()
 def drawn_kinds(net: SolidNet, noun: int) -> Float[Tensor, "k c"]:
     """A noun's kinds as the network draws them without a code, as compared."""
+    device = net.exit.weight.device
     own = KINDS * noun + 1 + torch.arange(KINDS)
     words = torch.zeros(KINDS, 4, dtype=torch.long)
     words[:, 0], words[:, 3] = noun + 1, own
-    triplane = net.triplane(words, torch.zeros(KINDS, net.config.latent))
-    points = (cells() / EXTENT).expand(KINDS, -1, 3)
-    return compared(in_bytes(net.at(triplane, points).amin(2) / SCALE))
+    code = torch.zeros(KINDS, net.config.latent, device=device)
+    triplane = net.triplane(words.to(device), code)
+    points = (cells() / EXTENT).expand(KINDS, -1, 3).to(device)
+    return compared(in_bytes(net.at(triplane, points).amin(2).cpu() / SCALE))
 
 
 def _kinds(solids: Solids, which: Tensor) -> tuple[Float[Tensor, "k c"], Int[Tensor, " k"]]:

@@ -262,7 +262,11 @@ class SolidTraining(Training):
         The decoder stays at first: by a code that says nothing it would unlearn.
         """
         old = self.shipped(path)
+        mirrored = self.net.decoder.mirrored
         with torch.no_grad():
+            # What mirrors a kind it has learnt on one side alone.
+            known = old["decoder.mirrored"][: len(mirrored)]
+            mirrored[: len(known)].copy_(known)
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
                 if name in old:
                     p.zero_()
@@ -273,7 +277,7 @@ class SolidTraining(Training):
                     p.register_hook(self._held)
 
     def hold(self, source: Batches) -> None:
-        """As it is done; what was taken over whole waits as ever."""
+        """As any training's; what was taken over whole waits until ``held_until``."""
         super().hold(source)
         for table in self._noun_tables():
             if f"{table}.weight" in self.known:

@@ -22,6 +22,7 @@ from safetensors.torch import load_file
 from torch import Tensor, nn
 
 from core.device import has_fast_bfloat16
+from core.errors import UserError
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
 from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
@@ -228,7 +229,7 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
 
 class LearntRows(nn.Module):
     """A table of which some rows learn and the others stay: of all nouns' features a step for the
-    few that learn would else move all, and take more than twice as long."""
+    few that learn would else move all, and take nearly twice as long."""
 
     weight: Tensor
     rows: Tensor
@@ -245,7 +246,15 @@ class LearntRows(nn.Module):
         self.learnt = nn.Parameter(weight[rows])
 
     def forward(self, index: Int[Tensor, " b"]) -> Float[Tensor, "b c"]:
-        """The rows."""
+        """The rows.
+
+        Raises UserError for one that does not learn, of samples that came later.
+        """
+        if bool((self.place[index] > len(self.rows)).any()):
+            raise UserError(
+                "There are samples of a noun that this held training did not begin with.",
+                "Train it in a folder of its own.",
+            )
         return F.embedding(self.place[index], torch.cat([self.weight[:1], self.learnt]))
 
     def whole(self, learnt: Float[Tensor, "r c"]) -> Float[Tensor, "v c"]:
@@ -398,7 +407,10 @@ class Training:
         return found
 
     def resume(self, path: Path, source: Batches) -> None:
-        """Go on from ``save``'s file, with samples of the same nouns."""
+        """Go on from ``save``'s file, with samples of the same nouns.
+
+        Raises UserError where what learns is not in the file.
+        """
         tensors = load_file(path)
         facts = read_metadata(path)["training"]
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
@@ -412,7 +424,13 @@ class Training:
             if facts.get("held"):
                 self.hold(source)
             for name, p, mean in zip(self.names, self.params, self.ema, strict=True):
-                mean.copy_(tensors[f"ema.{name}"])
+                saved = tensors.get(f"ema.{name}")
+                if saved is None or saved.shape != mean.shape:
+                    raise UserError(
+                        f"{path} is of other nouns than the folder has, or of an older program.",
+                        "Begin with the shipped weights (--start), in a folder of its own.",
+                    )
+                mean.copy_(saved)
                 if f"m.{name}" not in tensors:
                     continue
                 self.optimizer.state[p] = {

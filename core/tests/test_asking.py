@@ -22,7 +22,10 @@ from core.guidance.builtin.words.vocabulary import parse
         ("i'm making a fantasy game, need a potion", "a potion"),
         ("We're doing a kitchen render and we need a wooden spoon", "a wooden spoon"),
         ("its for a diorama, a small bridge", "a small bridge"),
-        ("It is for my son's birthday. I need the biggest cake", "the biggest cake"),
+        ("It is for my son's birthday. I need a big cake", "a big cake"),
+        ("hi there, can you make four chairs", "four chairs"),
+        ("can you make dragons", "dragons"),
+        ("can you make it a red chair", "a red chair"),
     ],
 )
 def test_what_is_asked_for_begins_behind_the_asking(prompt, left):
@@ -39,6 +42,10 @@ def test_what_is_asked_for_begins_behind_the_asking(prompt, left):
         "i'm making a chair and a table",
         'a sign that says "can you make a cake"',
         "it's a chair, a red one",
+        "i'm making a chair and want a red cushion on it",
+        "I'm making a red chair and I want the legs golden",
+        'i\'m making a sign that says "sorry, need a hug"',
+        "it's for a castle, a bridge",
     ],
 )
 def test_other_prompts_stay(prompt):

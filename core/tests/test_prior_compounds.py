@@ -25,6 +25,7 @@ from core.guidance.builtin.words.vocabulary import parse, understood
         ("a figure of a blue eyed cat", "cat", {}, {"eyes": "blue"}),
         ("a cat, blue eyed", "cat", {}, {"eyes": "blue"}),
         ("a red cap mushroom", "mushroom", {}, {"cap": "red"}),
+        ("a sword with a leather wrapped handle", "sword", {"grip": "leather"}, {}),
         ("a stainless steel topped brass legged table", "table",
          {"top": "stainless steel", "legs": "brass"}, {}),
     ],

@@ -95,7 +95,7 @@ class PaintedSolid:
     def area_fields(self, axes: Sequence[int]) -> AreaFields:
         """The parts in the colours of their patterns, in space, and what is meant by each.
 
-        ``axes``: as its own, or none.
+        ``axes``: ``self.axes``, or () for none.
         """
         along = axes or (2,) * len(self.paints)
         laid = [Laid(part.pattern, axis) for part, axis in zip(self.paints, along, strict=True)]

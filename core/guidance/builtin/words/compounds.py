@@ -12,16 +12,8 @@ from core.guidance.builtin.words.tokens import LONGEST, Tokens
 from core.guidance.builtin.words.words import LOOKS
 
 ENDING = "ed"
-OF_ALL = (
-    "plated",
-    "painted",
-    "glazed",
-    "coated",
-    "varnished",
-    "covered",
-    "wrapped",
-)  # "gold plated" has no plate
-
+# "Gold plated" has no plate.
+OF_ALL = "plated painted glazed coated varnished covered wrapped".split()
 JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 

@@ -62,9 +62,10 @@ _COSTUMES = {
     "photographer": "holding a camera",
     "singer": "holding a microphone",
     "guitarist, musician": "holding a guitar",
-    "rockstar, rock star": "wearing sunglasses and holding an electric guitar",
+    "rockstar, rock star, punk rocker, rocker": (
+        "wearing sunglasses and holding an electric guitar"
+    ),
     "bard": "holding a guitar",
-    "punk rocker, rocker": "wearing sunglasses and holding an electric guitar",
     "surfer": "holding a surfboard",
     "skater, skateboarder": "riding a skateboard",
     "cyclist": "riding a bicycle",
