@@ -79,6 +79,11 @@ class Forms(NamedTuple):
         known = self.flat[part] or any(axis[part] for axis in self.round)
         return not known or self.flat[part] >= LEAST_FLAT
 
+    def is_stray(self, part: int, share: float) -> bool:
+        """Whether a piece is far smaller than any that the part has; ``share``: its area, as a
+        fraction of the largest one's."""
+        return part < len(self.least) and share < STRAY * self.least[part]
+
     def faces(self, part: int) -> Faces:
         """What is known of the faces of the part's pieces."""
         flat = self.flat[part]
@@ -107,7 +112,7 @@ class KnownParts:
         are so exactly."""
         found = places_of(self._wide, len(self.forms.flat))
         drawn = [piece for place in found for piece in drawn_in(self._wide, place)]
-        drawn = without_strays(drawn, self.forms.least)
+        drawn = without_strays(drawn, self.forms)
         pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
         pairs = [(piece, self._bladed(piece, one or self._turned(piece))) for piece, one in pairs]
         told = [self._told(piece, one) for piece, one in pairs]
@@ -257,18 +262,17 @@ def assembled(
     return drop_floaters(*union(meshes, STRUT), floaters)
 
 
-def without_strays(pieces: list[Piece], least: Sequence[float]) -> list[Piece]:
-    """The pieces but for those far smaller than any is that their part has: of a boy's hair a bit
-    lay beside each shoe."""
+def without_strays(pieces: list[Piece], forms: Forms) -> list[Piece]:
+    """The pieces that are their parts': of a boy's hair a bit lay beside each shoe."""
     areas = [float(face_areas(piece.verts, piece.faces).sum()) for piece in pieces]
+    pairs = list(zip(pieces, areas, strict=True))
     largest: dict[int, float] = {}
-    for piece, area in zip(pieces, areas, strict=True):
+    for piece, area in pairs:
         largest[piece.place.part] = max(area, largest.get(piece.place.part, 0.0))
-    known = dict(enumerate(least))
     return [
         piece
-        for piece, area in zip(pieces, areas, strict=True)
-        if area >= STRAY * known.get(piece.place.part, 0.0) * largest[piece.place.part]
+        for piece, area in pairs
+        if not forms.is_stray(piece.place.part, area / largest[piece.place.part])
     ]
 
 

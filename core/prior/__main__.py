@@ -48,11 +48,10 @@ from core.prior.solid_training import (
     solid_loss,
     trained_solid_net,
 )
+from core.prior.sources import Appearance, Geometry
 from core.prior.train import (
     APPEARANCE,
     GEOMETRY,
-    Appearance,
-    Geometry,
     TrainConfig,
     Training,
     denoising_loss,

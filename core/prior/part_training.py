@@ -10,7 +10,8 @@ from core.guidance.builtin.part_map import PARTS, part_logits
 from core.prior.colored import lumpy
 from core.prior.data import NOUNS
 from core.prior.soften import soft_pictures
-from core.prior.train import Batch, Source, TrainConfig, Training, arithmetic
+from core.prior.sources import Batch, Source
+from core.prior.train import TrainConfig, Training, arithmetic
 
 PART_NETWORK = UNetConfig(words=(len(NOUNS),), widths=(32, 48, 80, 112), code=128, picture=PARTS)
 FINDING_PARTS = TrainConfig(batch=16, learning_rate=1e-3)

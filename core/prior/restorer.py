@@ -14,7 +14,8 @@ from core.guidance.builtin.restore import restored
 from core.prior.data import SIZE
 from core.prior.soft_pairs import CLOSE_PAIRS, PAIRS, Pairs, read_pairs
 from core.prior.soften import soft_pictures
-from core.prior.train import GEOMETRY, Batch, Geometry, TrainConfig, Training, arithmetic
+from core.prior.sources import Batch, Geometry
+from core.prior.train import GEOMETRY, TrainConfig, Training, arithmetic
 
 STEM = 24  # channels at full resolution: a step costs half as much again
 RESTORER = replace(GEOMETRY, stem=STEM)

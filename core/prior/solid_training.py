@@ -27,7 +27,8 @@ from core.prior.solid_kinds import (
     kinds_of,
     write_kinds,
 )
-from core.prior.train import Batches, TrainConfig, Training, arithmetic
+from core.prior.sources import Batches
+from core.prior.train import TrainConfig, Training, arithmetic
 
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
 SOLID = SolidNetConfig(WORDS)

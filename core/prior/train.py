@@ -9,15 +9,13 @@ import json
 import math
 import signal
 import time
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar, Protocol, runtime_checkable
+from typing import Any, ClassVar
 
 import torch
-import torch.nn.functional as F
-from jaxtyping import Float, Int
+from jaxtyping import Int
 from safetensors.torch import load_file
 from torch import Tensor, nn
 
@@ -25,48 +23,23 @@ from core.device import has_fast_bfloat16
 from core.errors import UserError
 from core.guidance.builtin.diffusion import TIMES, alpha_bar_schedule
 from core.guidance.builtin.hint import CHANNELS, SURFACE, hint
-from core.guidance.builtin.network import BLOCK, UNetConfig, camera_map
+from core.guidance.builtin.network import UNetConfig
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import load_tensors, save_weights, write_tensors
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.sds import add_noise
-from core.prior.colored import CAPTION_SLOTS, Painter, blurred, lumpy
+from core.prior.colored import CAPTION_SLOTS
 from core.prior.data import (
     ADJECTIVES,
-    MODEL_VIEWS,
     NOUNS,
     PART_STATES,
-    SHARDS,
-    Samples,
-    joined,
-    read_shards,
 )
-from core.prior.draw import Draw
+from core.prior.learnt_rows import LearntRows
+from core.prior.sources import Batch, Batches
 from core.prior.velocity import v_target
 
-# Things whose parts are many or alike, so that their colours are mixed up most.
-MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")
-MIXED += ("boat", "rocket", "cottage", "church", "lighthouse", "hammer", "axe", "drum")
-
-# Pictures, words, camera maps, and the surface (for the restorer: the soft pictures) or None.
-Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
 Objective = Callable[["Training", Any], Tensor]  # of a batch of the training's source
-
-
-@runtime_checkable
-class Batches(Protocol):
-    """Where a training's batches come from."""
-
-    samples: Any  # what they are drawn from, counted by len()
-
-    def batch(self, count: int, generator: torch.Generator) -> Any:
-        """``count`` random samples, as the objective takes them."""
-        ...
-
-    def rescan(self) -> None:
-        """Read what has come."""
-        ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,81 +100,6 @@ def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> T
     return (low + torch.rand(count, generator=generator) * (TIMES - low)).long()
 
 
-class Source(ABC):
-    """The data folder's samples; more shards are read as they come."""
-
-    names = (SHARDS,)
-    noun_weights: ClassVar[dict[str, float]] = {}  # in the draw, where not 1
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self.paths = self._shards()
-        self._take(read_shards(self.paths))
-
-    def _shards(self) -> list[Path]:
-        return [path for name in self.names for path in sorted(self.folder.glob(name))]
-
-    def rescan(self) -> None:
-        """Read the shards that have come."""
-        new = [path for path in self._shards() if path not in self.paths]
-        if new:
-            self.paths += new
-            self._take(joined([self.samples, read_shards(new)]))
-
-    def _take(self, samples: Samples) -> None:
-        self.samples = samples
-        self._weights = torch.tensor([self.noun_weights.get(n, 1.0) for n in NOUNS])[samples.noun]
-
-    def draw(self, count: int, generator: torch.Generator) -> tuple[Tensor, Tensor, Tensor]:
-        """Rows of random samples, their geometry pictures, their camera maps."""
-        # With replacement, so that the weights stay true within a batch.
-        index = torch.multinomial(self._weights, count, replacement=True, generator=generator)
-        pictures = self.samples.pictures(index)
-        return index, pictures, camera_map(self.samples.cameras(index), pictures.shape[-1] // BLOCK)
-
-    @abstractmethod
-    def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps, and the surface or None."""
-
-
-class Geometry(Source):
-    """Batches of geometry pictures with the noun, the shape adjective and the parts' state."""
-
-    names = (SHARDS, MODEL_VIEWS)  # the models' parts are not known, so they have no painter
-
-    def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps and no surface."""
-        index, pictures, camera = self.draw(count, generator)
-        s = self.samples
-        # Every picture has a noun, so its row 0 is free for "not stated"; the other tables have
-        # their own.
-        words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
-        return pictures, words, camera, None
-
-
-class Appearance(Source):
-    """Batches of painted pictures with the noun and ``CAPTION_SLOTS``, and the surface: normals and
-    coverage as in ``Samples.pictures``, points weighted by coverage, and the parts."""
-
-    noun_weights: ClassVar = dict.fromkeys(MIXED, 2.5)
-
-    def __init__(self, folder: Path) -> None:
-        super().__init__(folder)
-        self.painter = Painter()
-
-    def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps and surfaces."""
-        index, shape, camera = self.draw(count, generator)
-        captions = self.painter.words(self.samples.noun[index], generator)
-        # The same dented normals are lit and given: a dent explains its own shading.
-        normals = lumpy(shape[:, :3], generator)
-        parts = blurred(self.samples.part_maps(index, PARTS), generator)
-        surface = torch.cat([normals, shape[:, 3:], self.samples.points(index), parts], 1)
-        pictures = self.painter.pictures(self.samples, index, captions, Draw(generator), normals)
-        words = torch.cat([self.samples.noun[index][:, None] + 1, captions], 1)
-        return pictures, words, camera, surface
-
-
 def arithmetic(device: torch.device) -> torch.autocast:
     """That of a network's steps: bfloat16, but not on a CPU without units for it, where a step of
     the solids' takes 7.8 s in it and 1.4 s in 32 bit."""
@@ -225,41 +123,6 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     with arithmetic(device):
         v = training.net(z_t, t, words[:, : len(training.net.config.words)], camera, given)
     return (v.float() - v_target(x, eps, alpha_bar)).square().mean()
-
-
-class LearntRows(nn.Module):
-    """A table of which some rows learn and the others stay: of all nouns' features a step for the
-    few that learn would else move all, and take nearly twice as long."""
-
-    weight: Tensor
-    rows: Tensor
-    place: Tensor
-
-    def __init__(self, table: nn.Embedding, rows: Int[Tensor, " r"]) -> None:
-        super().__init__()
-        weight = table.weight.detach()
-        place = torch.full((len(weight),), len(rows) + 1)  # beyond: no other row may be asked for
-        place[0] = 0  # "not stated", which all nouns share
-        place[rows.cpu()] = 1 + torch.arange(len(rows))
-        for name, tensor in (("weight", weight), ("rows", rows), ("place", place.to(rows.device))):
-            self.register_buffer(name, tensor)
-        self.learnt = nn.Parameter(weight[rows])
-
-    def forward(self, index: Int[Tensor, " b"]) -> Float[Tensor, "b c"]:
-        """The rows.
-
-        Raises UserError for one that does not learn, of samples that came later.
-        """
-        if bool((self.place[index] > len(self.rows)).any()):
-            raise UserError(
-                "There are samples of a noun that this held training did not begin with.",
-                "Train it in a folder of its own.",
-            )
-        return F.embedding(self.place[index], torch.cat([self.weight[:1], self.learnt]))
-
-    def whole(self, learnt: Float[Tensor, "r c"]) -> Float[Tensor, "v c"]:
-        """The table with such rows in the place of those that learn."""
-        return self.weight.index_copy(0, self.rows, learnt)
 
 
 class Training:
@@ -351,7 +214,10 @@ class Training:
 
     def hold(self, source: Batches) -> None:
         """Let nothing learn but the nouns that the source has samples of. What is made of the
-        others stays, to the bit."""
+        others stays, to the bit: of a training that all has learnt in, its average."""
+        with torch.no_grad():
+            for p, mean in zip(self.params, self.ema, strict=True):
+                p.copy_(mean)
         for name, p in self.net.named_parameters():
             p.requires_grad_(name.startswith(self.unshipped))
         for table in self._noun_tables():
@@ -419,8 +285,9 @@ class Training:
         # batches again.
         self.generator.manual_seed(self.config.seed + self.step)
         with torch.no_grad():
-            for name, p in self.net.named_parameters():
+            for name, p, mean in zip(self.names, self.params, self.ema, strict=True):
                 p.copy_(tensors[f"net.{name}"])
+                mean.copy_(p)
             if facts.get("held"):
                 self.hold(source)
             for name, p, mean in zip(self.names, self.params, self.ema, strict=True):

@@ -15,8 +15,8 @@ from core.prior.data import MODEL_VIEWS, NOUNS, SIZE, read_shards, write_shard
 from core.prior.draw import Draw
 from core.prior.families import build
 from core.prior.models import CATALOGUE, FACTS, MODELS, VIEWS, catalogue_models, render_mesh
+from core.prior.sources import Appearance, Geometry
 from core.prior.tracer import render
-from core.prior.train import Appearance, Geometry
 
 # A wedge, +Y up: a floor, and a back wall at z = -1 that is 4 high. Its front is open.
 WEDGE = """v -1 0 1

@@ -27,8 +27,8 @@ from core.guidance.sds import add_noise, eps_from_v
 from core.prior.__main__ import main
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, make, read_shards, write_shard
 from core.prior.evaluate import turn_normals
+from core.prior.sources import Geometry
 from core.prior.train import (
-    Geometry,
     TrainConfig,
     Training,
     draw_times,

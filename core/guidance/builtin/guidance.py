@@ -174,12 +174,12 @@ class PromptedBuiltin(PromptedGuidance):
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
         parts = list(looks(words.noun))
-        left = {part for part in words.absent if not bears(words, part)}
-        left |= {part for part in parts if is_marking(words.noun, part)}
-        gone = [k for k, part in enumerate(parts) if part in left]
-        absent = (*gone, *range(len(parts), len(looks(solid_of(words.noun)))))
+        gone = {part for part in words.absent if not bears(words, part)}
+        gone |= {part for part in parts if is_marking(words.noun, part)}
+        absent = [k for k, part in enumerate(parts) if part in gone]
+        absent += range(len(parts), len(looks(solid_of(words.noun))))
         generator = torch.Generator().manual_seed(seed)
-        solid = Solid.drawn(net, rows, generator, absent, words.kinds)
+        solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
         solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 

@@ -1,5 +1,5 @@
-"""What people write before what they ask for: "can you make a chair", "I'm making a game and need
-a potion", "it's for a diorama, a small bridge".
+"""What people write before what they ask for: "can you make a chair", "my daughter wants a robot",
+"I'm making a game and need a potion", "it's for a diorama, a small bridge".
 
 Standard library only.
 """
@@ -7,7 +7,7 @@ Standard library only.
 import re
 
 from core.guidance.builtin.words.roles import first_names
-from core.guidance.builtin.words.tokens import ASKING
+from core.guidance.builtin.words.tokens import PERSON
 
 _ARTICLE = r"(?=(?:an?|some|one|two|three)\s)"
 _NEXT = r"(?=(?:an?|the|some|one|two|three|my|me an?)\s)"
@@ -24,8 +24,10 @@ _OPENERS = (
     r"(?:(?:i|we)(?:[’']?m|[’']?re| am| are) )?(?:looking for|trying to (?:make|get|create)) "
     rf"{_NEXT}",
 )
-# What it is for, and then what it is; neither says a text.
+# Who it is for or what, and then what it is; neither says a text.
 _PURPOSES = (
+    r"(?:(?:my|our|the|his|her) )?(?:\w+ ){1,2}?(?:really )?"
+    r"(?:wants?|needs?|ask(?:s|ed) for|would (?:like|love))(?: to have)? (?=(?:an?|the|some|one) )",
     # "I'm doing a kitchen render and need a"
     rf"(?:i|we)(?:[’']?m|[’']?re| am| are) \w+ing\b[^;.\"“”]*?(?:,|\band\b|\bso\b)\s+"
     rf"(?:{_WHO} )?{_WANT} {_ARTICLE}",
@@ -34,6 +36,7 @@ _PURPOSES = (
 )
 _GREETING = r"\s*(?:(?:hi|hey|hello|there|ok|okay|so|please|pls)\b[,!.]?\s+)*"
 _ASKED = re.compile(rf"{_GREETING}(?:{'|'.join(_OPENERS)})", re.IGNORECASE)
+_ASKING = frozenset(("", PERSON, "boy", "girl", "baby"))  # "my kids want a robot"
 _PURPOSE = re.compile(rf"{_GREETING}(?:{'|'.join(_PURPOSES)})", re.IGNORECASE)
 
 
@@ -42,7 +45,7 @@ def asked_for(prompt: str) -> str:
     if match := _ASKED.match(prompt):
         return prompt[match.end() :]
     match = _PURPOSE.match(prompt)
-    # "I'm making a chair and want a red cushion on it" is about the chair.
-    if match and ASKING.issuperset(name.noun for name in first_names(match[0])):
+    # "A robot needs a hug", "I'm making a chair and want a cushion on it" are about what is first.
+    if match and _ASKING.issuperset(name.noun for name in first_names(match[0])):
         return prompt[match.end() :]
     return prompt

@@ -15,19 +15,12 @@ TRADE = re.compile("[a-z]{3,}(?:ist|ian|man|woman|eer)")  # who somebody is
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 # What it is like; a catfish is a thing.
 LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural|ly)")
-# Who it is for: "my daughter wants a purple butterfly".
-ASKED = re.compile(
-    r"^\s*(?:(?:my|our|the|his|her) )?((?:\w+ ){1,2}?)(?:really )?"
-    r"(?:wants?|needs?|ask(?:s|ed) for|would (?:like|love))(?: to have)? (?=(?:an?|the|some|one) )",
-    re.IGNORECASE,
-)
 # What was done to it, before how it looks since.
 MADE = (
     "made painted done finished covered coated upholstered dyed wrapped carved built woven knitted "
     "cut cast forged crafted constructed fashioned sewn hewn"
 ).split()
 PERSON = "person"
-ASKING = frozenset(("", PERSON, "boy", "girl", "baby"))  # "my kids want a robot"
 # "Isn't", "does not": a doe is a deer.
 NOT = re.compile(
     r"\b(?:(?:do|does|did|can|will) not|cannot|instead of|rather than|never)\b"
@@ -61,10 +54,6 @@ class Tokens:
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
         """The words of a prompt; ``known`` are those that may be asked for."""
         found = cls(known)
-        asked = ASKED.match(prompt)
-        # "A robot needs a hug" is about a robot.
-        if asked and ASKING.issuperset(map(found.thing, asked[1].lower().split())):
-            prompt = prompt[asked.end() :]
         prompt = STATED.sub(found._keyed, prompt)
         plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))
         for token in re.findall(r"'s\b|[^\W_]+|[,;:.!?()]", plain):
