@@ -46,6 +46,7 @@ def test_what_is_asked_for_begins_behind_the_asking(prompt, left):
         "I'm making a red chair and I want the legs golden",
         'i\'m making a sign that says "sorry, need a hug"',
         "it's for a castle, a bridge",
+        'i am making a thingy that says "sorry, need a hug"',
     ],
 )
 def test_other_prompts_stay(prompt):

@@ -46,6 +46,10 @@ def test_a_parts_least_piece_is_told_by_its_surface():
     table = part_forms_table()["boy"].least
     looks = dict(zip(NOUNS["boy"].looks, table, strict=False))
     assert looks["shoes"] > 0.9 and looks["hair"] == 1 and not any(table[len(looks) :])
+    comb = list(NOUNS["rooster"].looks).index("comb")  # and wattles
+    found = asked.least_pieces("rooster")
+    assert found == pytest.approx(part_forms_table()["rooster"].least, abs=0.02)
+    assert 0.2 < found[comb] < 0.7
 
 
 def test_asking_some_nouns_keeps_what_is_said_of_the_others(tmp_path, monkeypatch):
@@ -55,6 +59,7 @@ def test_asking_some_nouns_keeps_what_is_said_of_the_others(tmp_path, monkeypatc
     asked.write_forms(path, ["mug", "chair"])
     asked.write_forms(path, ["vase"])
     table = json.loads(path.read_text())
+    assert [len(table[noun]["least"]) for noun in ("mug", "chair", "vase")] == [3, 5, 4]
     assert {noun: row["flat"][0] for noun, row in table.items()} == {
         "chair": 0.5,
         "mug": 0.3,
@@ -117,6 +122,7 @@ def test_the_parts_are_known_once_an_object_is_drawn():
     drawn = prompted.of_object(0)
     parts = drawn.parts()
     assert parts is not None and parts.forms[:2] == part_forms_table()["mug"][:2]
+    assert parts.forms.least == part_forms_table()["mug"].least
     assert drawn.solid is not None
     found = parts.distances(drawn.solid.mesh[0]).argmin(1)
     assert set(found.unique().tolist()) == {0, 1}  # the body and the handle
