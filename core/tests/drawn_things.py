@@ -9,6 +9,7 @@ from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
+from core.guidance.builtin.words.slots import Words
 
 
 @cache
@@ -29,6 +30,16 @@ def composed(prompt: str) -> Composed:
     found = shipped_prior().prompted(prompt, "").of_object(0)
     assert isinstance(found, Composed) and found.made
     return found
+
+
+def box(low, high, noun="crate") -> Body:
+    """A box's surface as a thing."""
+    low, high = torch.tensor(low), torch.tensor(high)
+    corners = torch.tensor([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    faces = "013 032 467 475 045 051 237 276 026 064 157 173".split()
+    faces = torch.tensor([[int(corner) for corner in face] for face in faces])
+    verts = low + corners * (high - low)
+    return Body(Words(noun=noun), verts.float(), faces, torch.zeros(8, dtype=torch.long))
 
 
 def centered(thing: Body) -> torch.Tensor:

@@ -18,21 +18,10 @@ from core.guidance.builtin.composition.resting import (
     upon,
 )
 from core.guidance.builtin.composition.wearing import freed, head_of, worn
-from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
-from core.tests.drawn_things import body, centered, composed, shipped_prior
+from core.tests.drawn_things import body, box, centered, composed, shipped_prior
 
 QUARTER = torch.tensor([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-
-
-def box(low, high, noun="crate") -> Body:
-    """A box's surface as a thing."""
-    low, high = torch.tensor(low), torch.tensor(high)
-    corners = torch.tensor([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    faces = "013 032 467 475 045 051 237 276 026 064 157 173".split()
-    faces = torch.tensor([[int(corner) for corner in face] for face in faces])
-    verts = low + corners * (high - low)
-    return Body(Words(noun=noun), verts.float(), faces, torch.zeros(8, dtype=torch.long))
 
 
 def test_a_placement_is_undone():
@@ -107,7 +96,8 @@ def test_two_that_are_borne_stand_side_by_side_or_one_behind_the_other(wide, dee
     (own,), *places = arranged(table, [("bears", skull), ("bears", book)])
     below, axis = table.placed(own), int(deep > wide)
     first, second = (thing.placed(at) for thing, (at,) in zip((skull, book), places, strict=True))
-    assert first.box[1, axis] < second.box[0, axis] + 0.02
+    low, high = sorted((first, second), key=lambda thing: float(thing.box[0, axis]))
+    assert low.box[1, axis] < high.box[0, axis] + 0.02
     for thing in (first, second):
         assert abs(float(thing.box[0, 2] - below.box[1, 2])) < 0.05
         assert (thing.box[0, :2] > below.box[0, :2]).all()
@@ -320,6 +310,6 @@ def test_a_turned_and_a_grouped_body_keep_their_scale():
 
 def test_what_is_beside_stands_on_the_same_ground_and_touches():
     table = body("a table")
-    chair = body("a chair").placed(beside(body("a chair"), table))
+    chair = body("a chair").placed(beside(body("a chair"), table, table))
     assert float(chair.box[0, 2]) == pytest.approx(float(table.box[0, 2]), abs=1e-5)
     assert float(chair.box[0, 0]) == pytest.approx(float(table.box[1, 0]) - 0.02, abs=1e-5)

@@ -88,17 +88,27 @@ def test_another_thing_is_made_with_the_first(prompt, thing, relation, other):
             ["wears beanie", "holds bread"],
         ),
         ("a penguin wearing a scarf and a beanie", ["wears scarf", "wears beanie"]),
-        ("a dog wearing a hat, sunglasses and a scarf", ["wears hat", "wears sunglasses"]),
+        (
+            "a dog wearing a hat, sunglasses and a scarf",
+            ["wears hat", "wears sunglasses", "wears scarf"],
+        ),
         ("a knight riding a horse holding a spear", ["on horse", "holds spear"]),
         ("a bear on a bicycle while holding a balloon", ["on bicycle", "holds balloon"]),
         ("a cat in a box on a table", ["in cardboard box"]),
         ("a cat on a chair and a dog", ["on chair", "beside dog"]),
         ("a dog wearing red boots and a hat", ["wears red boot", "wears hat"]),
         ("a penguin in a tuxedo and a top hat", ["wears black fabric jacket", "wears hat"]),
-        ("a bear wearing a hat, a scarf and boots", ["wears hat", "wears scarf"]),
+        (
+            "a bear wearing a hat, a scarf and boots",
+            ["wears hat", "wears scarf", "wears boot"],
+        ),
+        (
+            "a pig wearing a hat, sunglasses, a scarf, boots and a backpack",
+            ["wears hat", "wears sunglasses", "wears scarf", "wears boot"],
+        ),
     ],
 )
-def test_two_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
+def test_four_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
     words = parse(prompt)
     assert [f"{one.relation} {one.words}" for one in words.companions] == others
     assert not words.color
@@ -138,7 +148,6 @@ def test_two_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
         "a cat on a frobnicator",
         "salt and pepper",
         "a plate of pancakes",
-        "a bowl of fruit",
         "a plate with a fried egg",
         "a candle in a lantern",
         "a ship in a bottle",
@@ -194,7 +203,11 @@ def test_clothes_are_worn(prompt, first, others):
     [
         ("a cat dressed as a pirate", "cat", ["pirate hat"]),
         ("a dog in a superman costume", "dog", ["red cape"]),
-        ("a frog dressed up as a king on a lily pad", "frog", ["lily pad", "golden crown"]),
+        (
+            "a frog dressed up as a king on a lily pad",
+            "frog",
+            ["lily pad", "golden crown", "red cape"],
+        ),
         ("a mouse dressed like a wizard", "mouse", ["blue wizard hat", "blue cape"]),
         ("a penguin in a police uniform", "penguin", ["navy baseball cap", "navy shirt"]),
         ("a pirate", "pirate", []),

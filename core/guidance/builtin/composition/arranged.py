@@ -6,18 +6,20 @@ from dataclasses import replace
 import torch
 
 from core.geometry.mesh import NORMAL_RADIUS
-from core.guidance.builtin.composition.copies import copies_of
+from core.guidance.builtin.composition.copies import copies_of, mixed_heap
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, joined
 from core.guidance.builtin.composition.resting import (
     POINT_DOWN,
     beside,
+    is_heap,
     is_stuck,
     under,
     upon,
     within,
 )
 from core.guidance.builtin.composition.wearing import worn
+from core.guidance.builtin.words.companion_words import CONTAINERS, EDIBLE
 from core.guidance.builtin.words.companions import Relation
 
 EACH = ("wears", "holds")  # which of several each does by itself
@@ -39,6 +41,13 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     else:
         copies = [copies_of(thing) for thing in things]
         groups = [thing.group(own) for thing, own in zip(things, copies, strict=True)]
+        mixed = _mixed(first, others)
+        if len(mixed) > 1:  # "a bowl of apples and bananas"
+            piled = mixed_heap([things[k] for k in mixed])
+            whole = joined([things[k].group(own) for k, own in zip(mixed, piled, strict=True)])
+            whole = replace(whole, words=replace(whole.words, count=sum(map(len, piled))))
+            for k, own in zip(mixed, piled, strict=True):
+                copies[k], groups[k] = own, whole
         pairs = [(how, group) for (how, _), group in zip(others, groups[1:], strict=True)]
         places = _placed(groups[0], pairs)
         found = [[at.of_copy(one) for one in own] for at, own in zip(places, copies, strict=True)]
@@ -49,13 +58,27 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     return [[place.then(scale, -center * scale) for place in own] for own in found]
 
 
+def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
+    """Which of the things fill the first one together."""
+    return [
+        k
+        for k, (how, other) in enumerate(others, 1)
+        if how == "bears"
+        and first.words.noun in CONTAINERS
+        and (is_heap(other) or other.words.noun in EDIBLE)
+    ]
+
+
 def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
     """Where each is, the first one where it is by itself."""
     stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
     found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
     there = first.placed(found[0])
+    row = [there]  # what stands side by side
     held_already = False
-    borne = [other for how, other in others if how == "bears"]
+    # What fills it together is one; the tallest first, which are at the back.
+    borne = list({id(other): other for how, other in others if how == "bears"}.values())
+    borne.sort(key=lambda other: -other.metres * float(other.sides[2]))
     for how, other in others:
         if how == "holds":
             found.append(held(other, there.standing or there, held_already))
@@ -63,7 +86,11 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)
         elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
-            found.append(upon(other, there.half(other is borne[-1]), alone=False))
+            place = next(k for k, one in enumerate(borne) if one is other)
+            found.append(upon(other, there.share(place, len(borne)), len(borne)))
+        elif how == "beside":  # on the right, on the left, and so on
+            found.append(beside(other, there, joined(row), on_left=len(row) % 2 == 0))
+            row.append(other.placed(found[-1]))
         else:
             found.append(_PLACED[how](other, there))
     return found
@@ -74,5 +101,4 @@ _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {
     "in": lambda other, first: within(first, other),
     "wears": worn,
     "bears": upon,
-    "beside": beside,
 }

@@ -1,12 +1,13 @@
 """Several of a thing: in a row, in a heap, one on another, or as a bunch of flowers."""
 
 import math
+from collections.abc import Sequence
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.composition.placement import Z_TO_X, Body, Placement
+from core.guidance.builtin.composition.placement import Z_TO_X, Body, Placement, sized
 from core.guidance.builtin.composition.resting import cells_of, highest
 from core.guidance.builtin.words.companion_words import FLOWERS
 
@@ -14,6 +15,7 @@ TOUCHING = 0.02  # of a side: how far neighbours go into each other, so that the
 LYING = 1.5  # times as high as wide: what lies down in a heap
 TRIES = 40  # places for each of a heap
 SPREAD = 0.42  # of a thing's width, for each square root of their number: a heap's radius
+MIXED = (0.4, 1.8)  # of the first one's longest side: the others of a mixed heap
 INWARDS = 0.15  # what a unit off a heap's middle costs, in heights
 SOME = 1500  # vertices that are dropped
 CELLS = 48  # of a heap's height map, along a side
@@ -42,8 +44,7 @@ def _row(thing: Body, count: int) -> list[Placement]:
 
 def _stack(thing: Body, count: int) -> list[Placement]:
     """Each on the one below, as deep in it as it goes: plates, cups."""
-    laid, generator = laid_down(thing, math.inf), torch.Generator().manual_seed(0)
-    return _piled(thing, laid, count, 0.0, generator)
+    return _piled([thing] * count, math.inf, 0.0)
 
 
 def _bunch(thing: Body, count: int) -> list[Placement]:
@@ -58,24 +59,39 @@ def _bunch(thing: Body, count: int) -> list[Placement]:
 
 
 def _heap(thing: Body, count: int) -> list[Placement]:
-    """Dropped one after another to where each comes to lie lowest."""
-    laid, generator = laid_down(thing, LYING), torch.Generator().manual_seed(0)
-    wide = float((thing.verts @ laid.T).amax(0)[:2].max()) * 2
-    return _piled(thing, laid, count, SPREAD * wide * math.sqrt(count), generator)
+    return _piled([thing] * count, LYING, SPREAD * _width(thing) * math.sqrt(count))
 
 
-def _piled(
-    thing: Body,
-    laid: Float[Tensor, "3 3"],
-    count: int,
-    radius: float,
-    generator: torch.Generator,
-) -> list[Placement]:
-    side = 2 * (radius + thing.longest)
+def mixed_heap(things: Sequence[Body]) -> list[list[Placement]]:
+    """Several of several things in one heap, each as large as it is to the first."""
+    scales = [Placement.of(sized(thing, things[0], *MIXED)) for thing in things]
+    each = [thing.placed(scale) for thing, scale in zip(things, scales, strict=True)]
+    turns = [k for n in range(max(t.words.count for t in things)) for k in _with_more(things, n)]
+    wide = sum(_width(each[k]) for k in turns) / len(turns)
+    piled = _piled([each[k] for k in turns], LYING, SPREAD * wide * math.sqrt(len(turns)))
+    found: list[list[Placement]] = [[] for _ in things]
+    for k, place in zip(turns, piled, strict=True):
+        found[k].append(place.of_copy(scales[k]))
+    return found
+
+
+def _with_more(things: Sequence[Body], number: int) -> list[int]:
+    return [k for k, thing in enumerate(things) if thing.words.count > number]
+
+
+def _width(thing: Body) -> float:
+    return float((thing.verts @ laid_down(thing, LYING).T).amax(0)[:2].max()) * 2
+
+
+def _piled(things: Sequence[Body], high: float, radius: float) -> list[Placement]:
+    """Each on those before it, where it comes to lie lowest; what is more than so many times
+    ``high``er than wide lies down."""
+    generator = torch.Generator().manual_seed(0)
+    side = 2 * (radius + max(thing.longest for thing in things))
     heights = torch.zeros(CELLS, CELLS)  # the ground
     found: list[Placement] = []
-    for _ in range(count):
-        place, verts = _lowest(thing, laid, heights, radius, side, generator)
+    for thing in things:
+        place, verts = _lowest(thing, laid_down(thing, high), heights, radius, side, generator)
         found.append(place)
         heights = torch.maximum(heights, highest(verts, *square_of(side), CELLS))
     return found

@@ -1,5 +1,6 @@
 """Where a thing of a composition lies, and what is known of its form when it is placed."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -118,12 +119,21 @@ class Body:
         """How long the longest is, in metres."""
         return self.metres * self.longest
 
-    def half(self, high: bool) -> "Body":
-        """Its one half along x, or along y where it is much longer so; the rest is flat there."""
-        axis = int(self.sides[1] > LONG * self.sides[0])
-        middle = float(self.box.mean(0)[axis])
+    def share(self, index: int, count: int) -> "Body":
+        """One of ``count`` cells of it as seen from above, in rows from the back to the front, or
+        in one row where it is long; the rest is flat there."""
+        x, y = self.sides[:2].tolist()
+        columns = count if x > LONG * y else 1 if y > LONG * x else math.ceil(math.sqrt(count))
+        rows = math.ceil(count / columns)
+        row, column = divmod(index, columns)
+        own = min(columns, count - row * columns)  # the last row may have fewer
+        low, high = (
+            torch.tensor([column / own, 1 - (row + 1) / rows]),
+            torch.tensor([(column + 1) / own, 1 - row / rows]),
+        )
+        start, sides = self.box[0, :2], self.sides[:2]
         verts = self.verts.clone()
-        verts[:, axis] = verts[:, axis].clamp(*((middle, None) if high else (None, middle)))
+        verts[:, :2] = verts[:, :2].clamp(start + low * sides, start + high * sides)
         return replace(self, verts=verts)
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:

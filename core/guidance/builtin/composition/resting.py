@@ -61,7 +61,7 @@ def within(thing: Body, other: Body) -> Placement:
     """Where that is which ``thing`` is in: with its point, as one of a heap, or by itself."""
     if is_stuck(thing, other):
         return pierced(thing, other)
-    if thing.words.count > 1 and other.words.noun in CONTAINERS and not is_bunch(thing):
+    if other.words.noun in CONTAINERS and is_heap(thing):
         return _filling(thing, other).inverted()
     return around(thing, other)
 
@@ -82,13 +82,17 @@ def around(thing: Body, container: Body) -> Placement:
     return place.moved(middle - spot + torch.tensor([0.0, 0.0, depth]))
 
 
-def beside(thing: Body, other: Body) -> Placement:
-    """Where ``thing`` is that stands on the right of the other, which it touches."""
+def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placement:
+    """Where ``thing`` is that stands beside the other, at the end of a row with it, which it
+    touches."""
     place = Placement.of(sized(thing, other, *NEIGHBOUR))
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
-    at = torch.stack([other.box[1, 0] - TOUCHING_SIDES, middle[1], other.box[0, 2]])
-    return place.moved(at - torch.stack([there.box[0, 0], mine[1], there.box[0, 2]]))
+    if on_left:
+        side = row.box[0, 0] + TOUCHING_SIDES - there.box[1, 0]
+    else:
+        side = row.box[1, 0] - TOUCHING_SIDES - there.box[0, 0]
+    return place.moved(torch.stack([side, middle[1] - mine[1], (other.box - there.box)[0, 2]]))
 
 
 def is_stuck(thing: Body, other: Body) -> bool:
@@ -104,25 +108,26 @@ def pierced(thing: Body, other: Body) -> Placement:
     return place.moved(_foot(thing) - spot + deep)
 
 
-def upon(thing: Body, carrier: Body, alone: bool = True) -> Placement:
-    """Where ``thing`` is that the carrier bears on top of itself, or has in itself; not ``alone``
-    it has to fit between the carrier's nearer sides."""
+def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
+    """Where ``thing`` is that the carrier bears on top of itself, or has in itself; of several it
+    has to fit between the carrier's nearer sides."""
     if is_stuck(thing, carrier):
         place = Placement.of(sized(thing, carrier, *BORNE), POINT_DOWN)
         borne = thing.placed(place)
         deep = torch.tensor([0.0, 0.0, STUCK * float(borne.sides[2])])
         return place.moved(spot_on(borne, carrier) - _foot(borne) - deep)
-    if carrier.words.noun in CONTAINERS and thing.words.count > 1 and not is_bunch(thing):
+    if carrier.words.noun in CONTAINERS and is_heap(thing):
         return _filling(thing, carrier)
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
     turn = _levelled(carrier, thing)
     lying = thing.placed(Placement.of(1.0, turn))
-    room = carrier.sides[:2].max() if alone else carrier.sides[:2].min()
+    room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
     wide = WIDEST * room / lying.sides[:2].max()
     if thing.words.noun in LYING:  # a surfboard on a car's roof
         wide = wide / WIDEST
-    place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
+    sizes = BORNE if count <= 2 else (BORNE[0] / 2, BORNE[1])
+    place = Placement.of(min(sized(lying, carrier, *sizes), float(wide)), turn)
     borne = thing.placed(place)
     return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 
@@ -130,6 +135,11 @@ def upon(thing: Body, carrier: Body, alone: bool = True) -> Placement:
 def is_bunch(thing: Body) -> bool:
     """Whether it is several flowers, whose stems are together."""
     return thing.words.count > 1 and thing.words.noun in FLOWERS
+
+
+def is_heap(thing: Body) -> bool:
+    """Whether it is several that lie as they come."""
+    return thing.words.count > 1 and not is_bunch(thing)
 
 
 def _filling(heap: Body, container: Body) -> Placement:

@@ -49,6 +49,7 @@ VESSELS = frozenset("vase bowl bucket mug teacup goblet".split()) | {
     *("flower pot", "cooking pot", "paper cup"),
 }
 FLOWERS = frozenset("flower tulip rose sunflower".split())
+STIRRING = frozenset("spoon fork whisk spatula".split())
 ENTERED = CONTAINERS | WORN | SEATS | PIERCED | {"cube"}  # as a box is read by itself
 BOX = "cardboard box"
 # What is worn, hangs or is slender, so that nothing stands on it.
@@ -138,6 +139,12 @@ _NOT_HELD = (
     | frozenset(GROUPS["Furniture"]) - {"pillow", "lamp", "mirror"}
 )
 
+BY_IT = (
+    "(?:next to|beside|near|behind|in front of|around|(?:leaning|propped) (?:up )?"
+    "(?:against|on)|hanging (?:from|off|on)) (?:it|them)|"
+    "(?:at|by|on) (?:its|each|either|one|both) sides?(?! of)"
+)
+
 
 def is_dressed(noun: str) -> bool:
     """Whether it may wear or hold something: what is alive, its likeness, or a funny fruit."""
@@ -186,7 +193,8 @@ def may_contain(other: str, first: str) -> bool:
 def may_hold_within(other: str, first: str) -> bool:
     """Whether "with the other in it" is said of the first: flowers in a vase, an axe in a stump."""
     stuck = other in POINTED and first in PIERCED
-    return stuck or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
+    stirs = other in STIRRING and first in VESSELS | {"pan", "cauldron"}
+    return stuck or stirs or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
 
 
 def may_wear(first: str, other: str) -> bool:

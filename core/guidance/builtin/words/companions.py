@@ -3,6 +3,7 @@
 It is taken out of the prompt before the rest is read. Standard library only.
 """
 
+import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -20,13 +21,15 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
+from core.guidance.builtin.words.count_words import CONTAINED, MIXED
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
+from core.guidance.builtin.words.gathering import mixtures_named, spread, turned
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
 from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.tokens import DOING
 
-MOST = 2  # with one thing
+MOST = 4  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
 _PLACING = ("on", "in")  # of which a thing has one
 _HAVING = ("holds", "beside", "bears")
@@ -72,6 +75,7 @@ _PLACED = re.compile(
     rf"(?:{_WHOSE} (?:(?:one|left|right|front|two|little|tiny|big) )?(?P<place>"
     rf"{'|'.join(_PLACES.values())})(?! of)))"
     r"|on top of (?P<over>it|them)|on (?P<it>it|them)|in(?:side)? (?P<within>it|them)"
+    rf"|(?P<by>{known_as.BY_IT})"
     r"|(?:on|at) (?:the |its )?(?P<top>top)"
     r"(?: of it)?)(?![\w-])",
     re.IGNORECASE,
@@ -91,22 +95,23 @@ _TOPPED = re.compile(
 def companions_in(
     prompt: str, read: Reader, first_of: Callable[[str], str], found: Iterable[Found] = ()
 ) -> tuple[list[Found], str]:
-    """What goes with the thing, two at most, and the prompt without it.
+    """What goes with the thing, ``MOST`` at most, and the prompt without it.
 
     Args:
         read: reads a phrase about another thing by itself.
         first_of: the thing that a text names first, or "".
-        found: what is known to go with it already; of the two.
+        found: what is known to go with it already; of the ``MOST``.
     """
     found = list(found)
     search = _Search(read, first_of)
+    prompt = spread(turned(mixtures_named(prompt)), first_of, search.is_own)
     for step in (search.placed, search.served, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
                 break
             found += more
-    return found, prompt
+    return _shared_out(found), prompt
 
 
 class _Search:
@@ -114,6 +119,11 @@ class _Search:
 
     def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
         self._read, self._first_of = read, first_of
+
+    def is_own(self, phrase: str, first: str) -> bool:
+        """Whether it names what the first thing has by itself, or nothing that is known."""
+        got = self._read(phrase)
+        return got is None or _is_part(got.entry, first)
 
     def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a house on its back", "with a strawberry on top"."""
@@ -123,9 +133,11 @@ class _Search:
             first = self._first_of(prompt[: match.start()])
             said = match.groupdict()
             place = next(filter(None, (said.get(k) for k in ("place", "it", "over", "top"))), "top")
+            by = bool(said.get("by"))
             if said.get("within") and not fillings.may_hold(first, match["phrase"]):
                 continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
+            relation = "beside" if first and by else relation
             if relation is None or (said.get("it") and is_pictured(first)):
                 continue
             pictures = (one for one, start, end in drawn if start <= match.start() < end)
@@ -145,7 +157,8 @@ class _Search:
                 also = match["lead"].lower() == "and" and _WITH_ONE.search(before)
                 where = prompt[match.end("phrase") : match.end()]
                 left = [where.strip()] if also and not self._has_opener(clause) else []
-                return [one], _cut(prompt, match.start(), match.end(), left)
+                each = _on_both_sides(one, where) if by else [one]
+                return each, _cut(prompt, match.start(), match.end(), left)
         return [], prompt
 
     def served(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
@@ -299,6 +312,27 @@ class _Search:
         if relation in ("wears", "holds"):
             words = _alone(words, got.said)
         return Found(relation, phrase, words, verb) if is_so[relation]() else None
+
+
+def _shared_out(found: list[Found]) -> list[Found]:
+    """Of what fills a container together there is less of each."""
+    mixed = [one for one in found if one.relation == "bears" and one.words.count == CONTAINED]
+    if len(mixed) < 2:
+        return found
+    few = math.ceil(MIXED / len(mixed))
+    return [
+        one._replace(words=replace(one.words, count=few)) if one in mixed else one for one in found
+    ]
+
+
+def _on_both_sides(one: Found, where: str) -> list[Found]:
+    """What stands beside the thing, as one or two: "two chairs", "a chair on each side"."""
+    twice = re.search("each|either|both", where, re.IGNORECASE)
+    half = one.words.count if twice else one.words.count // 2
+    if not half:
+        return [one]
+    rest = half if twice else one.words.count - half
+    return [one._replace(words=replace(one.words, count=count)) for count in (rest, half)]
 
 
 def _alone(words: Words, said: str) -> Words:

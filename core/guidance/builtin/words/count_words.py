@@ -9,6 +9,7 @@ Order = Literal["row", "heap", "stack"]
 
 MOST = 6  # that are counted; of more there are as many as in "many"
 MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 3
+MIXED = 10  # of all kinds together that fill a container
 FIGURES = {
     word: number
     for number, word in enumerate(
@@ -72,5 +73,5 @@ OF_PARTS = frozenset(
 )
 WITHIN = 6  # words from the number to the name, at most
 # Of these one is as much as fills a bowl.
-IN_ONE_HEAP = frozenset(("grapes",))
+IN_ONE_HEAP = frozenset(("grapes", "hay bale"))
 PORTION = "five"  # of food on a plate

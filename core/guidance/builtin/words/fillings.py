@@ -49,6 +49,8 @@ SERVED = re.compile(
 FISH = frozenset("fish clownfish koi starfish".split())
 PLATE = "plate"
 SURELY = ("of", "containing")  # and what is full of it: "with" may be a print
+MASSES = frozenset("hay straw".split())
+_SMALL = re.compile(r"\b(?:toy|tiny|little|small|model|mini|miniature)\b", re.IGNORECASE)
 LARGEST = 2.0  # times as long as what it is in
 
 
@@ -78,15 +80,28 @@ def may_fill(container: str, way: str, phrase: str) -> bool:
     sure = way.lower() in SURELY or " " in way
     return (
         container in known_as.CONTAINERS
-        and named(phrase).is_many
+        and fills(phrase)
         and (sure or not known_as.is_pictured(container))
     )
 
 
+def length(noun: str, phrase: str) -> float:
+    """How long the thing is that a phrase names, metres."""
+    return usual(noun, toy=bool(_SMALL.search(phrase)))[0]
+
+
+def fills(phrase: str) -> bool:
+    """Whether a container may be full of it: "apples", "bread", "hay"."""
+    return named(phrase).is_many or named_in(phrase) in FOOD or phrase.lower() in MASSES
+
+
 def may_hold(container: str, phrase: str) -> bool:
     """Whether the container is said to have it "in it"."""
-    several = container in known_as.CONTAINERS and named(phrase.strip()).is_many
-    return several or known_as.may_hold_within(named_in(phrase), container)
+    noun = named_in(phrase)
+    fits = bool(noun) and length(noun, phrase) <= LARGEST * usual(container)[0]
+    fits &= not known_as.is_building(noun)
+    within = container in known_as.CONTAINERS and (fits or fills(phrase.strip()))
+    return within or known_as.may_hold_within(noun, container)
 
 
 def filling(words: Words, phrase: str, container: str, besides: str = "") -> Words | None:

@@ -24,6 +24,7 @@ from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
 from core.guidance.builtin.words.emblems import emblems_in
 from core.guidance.builtin.words.findings import Findings
+from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name, owns
@@ -135,6 +136,8 @@ def parse(
     unless ``noun_needed`` is false (a negative prompt).
     """
     prompt = made_active(MINE.sub("", asked_for(prompt))) if noun_needed else prompt
+    if noun_needed and (row := _row(prompt, known, ignore_unknown)):
+        return row
     if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
         return pair
     try:
@@ -164,12 +167,29 @@ def _side_by_side(
             other = _parsed(phrase, True, known, ignore_unknown)
         except UserError:
             continue
+        if other.companions and not first.companions:  # "a chair next to a table with a lamp"
+            phrase, first, other = prompt[: joined.start()], other, first
         whole = len(first.companions) < MOST and not other.companions
         whole &= joins is not BARE_AND or _is_one_name(phrase)
         if whole and first.noun != other.noun:
             pair = _together(first, [Found("beside", phrase, other)])
             return replace(pair, companions=(*first.companions, *pair.companions))
     return None
+
+
+def _row(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words | None:
+    """ "A fork, a knife and a spoon": each beside the first."""
+    phrases = in_a_row(prompt)
+    if not 0 < len(phrases) <= MOST + 1:
+        return None
+    try:
+        first, *others = (_parsed(phrase, True, known, ignore_unknown) for phrase in phrases)
+    except UserError:
+        return None
+    if len({one.noun for one in (first, *others)}) < len(phrases):
+        return None
+    pairs = zip(phrases[1:], others, strict=True)
+    return _together(first, [Found("beside", phrase, other) for phrase, other in pairs])
 
 
 def _is_one_name(phrase: str) -> bool:

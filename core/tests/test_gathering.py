@@ -1,0 +1,138 @@
+"""What a prompt lists with a thing: "a desk with a lamp, a laptop and a mug"."""
+
+import pytest
+import torch
+
+from core.guidance.builtin.composition.arranged import arranged
+from core.guidance.builtin.composition.copies import mixed_heap
+from core.guidance.builtin.words.vocabulary import parse
+from core.tests.drawn_things import body, box, several
+
+
+def with_it(prompt: str) -> tuple[str, list[str]]:
+    """The thing, and what goes with it, as "bears 2 red candle"."""
+    words = parse(prompt)
+    return str(words), [
+        f"{one.relation} {f'{one.words.count} ' * (one.words.count > 1)}{one.words}"
+        for one in words.companions
+    ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "others"),
+    [
+        ("a table with a vase", "table", ["bears vase"]),
+        (
+            "a desk with a red lamp, a laptop and a mug on it",
+            "desk",
+            ["bears red lamp", "bears laptop", "bears mug"],
+        ),
+        ("a nightstand with a lamp and a clock", "nightstand", ["bears lamp", "bears alarm clock"]),
+        (
+            "a desk with a computer, keyboard and mouse",
+            "desk",
+            ["bears desktop computer", "bears keyboard", "bears computer mouse"],
+        ),
+        ("a red table with four legs and a blue vase", "red table", ["bears blue vase"]),
+        ("a table with two candles", "table", ["bears 2 candle"]),
+        ("a stove with a pot and a pan", "stove", ["bears cooking pot", "bears pan"]),
+        (
+            "a desk with a lamp and a stack of books, low poly",
+            "desk",
+            ["bears lamp", "bears stack of books"],
+        ),
+        ("a lamp and a mug on a wooden desk", "wooden desk", ["bears lamp", "bears mug"]),
+        ("a tray with three cups", "plate", ["bears 3 mug"]),
+        ("a bowl of fruit", "bowl", ["bears 4 apple", "bears 4 orange fruit", "bears 4 banana"]),
+        ("a fruit basket", "basket", ["bears 4 apple", "bears 4 orange fruit", "bears 4 banana"]),
+        ("a bowl of fruit with apples and pears", "bowl", ["bears 5 apple", "bears 5 pear"]),
+        ("a crate of apples and oranges", "crate", ["bears 5 apple", "bears 5 orange fruit"]),
+        ("a basket with bread and cheese", "basket", ["bears bread", "bears cheese"]),
+        ("a wagon full of hay", "wagon", ["bears hay bale"]),
+        ("an apple and a pear in a bowl", "bowl", ["bears apple", "bears pear"]),
+        ("a mug with a spoon", "mug", ["bears spoon"]),
+        ("a bathtub with a rubber duck in it", "bathtub", ["bears rubber duck"]),
+        ("a cup of tea with a cookie", "teacup", ["beside cookie"]),
+        ("a house with a tree", "house", ["beside tree"]),
+        ("an anvil with a hammer leaning against it", "anvil", ["beside hammer"]),
+        ("a tent with a campfire and a log", "tent", ["beside campfire", "beside log"]),
+        ("a tree with an owl", "tree", ["bears owl"]),
+        ("a table with two chairs", "table", ["beside chair", "beside chair"]),
+        ("a table with four chairs", "table", ["beside 2 chair", "beside 2 chair"]),
+        ("a table with a chair on each side", "table", ["beside chair", "beside chair"]),
+        ("a chair next to a table with a lamp on it", "table", ["bears lamp", "beside chair"]),
+        ("a fork, a knife and a spoon", "fork", ["beside knife", "beside spoon"]),
+    ],
+)
+def test_what_is_listed_has_its_place(prompt, thing, others):
+    assert with_it(prompt) == (thing, others)
+    assert not any("one thing is made" in note for note in parse(prompt).notes)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a table with a glass top",
+        "a desk with three drawers",
+        "a bed with two pillows",
+        "a table with dragon legs",
+        "a table with a flower pattern",
+        "a mug with a cat",
+        "a mug with strawberries",
+        "a crate with a skull",
+        "a castle with a tower",
+        "a car with a spoiler",
+        "a house with a red roof and a door",
+        "a bowl of ramen with an egg",
+        "a plate with a fried egg",
+        "a boat with a flag",
+    ],
+)
+def test_a_part_or_a_print_is_no_other_thing(prompt):
+    assert parse(prompt).companions == ()
+
+
+def test_three_on_a_desk_stand_apart_with_the_tallest_behind():
+    desk = box((-0.5, -0.5, -0.2), (0.5, 0.5, 0.2), "desk")
+    low, flat, high = (box((-0.1, -0.1, -z), (0.1, 0.1, z), "mug") for z in (0.1, 0.05, 0.3))
+    (own,), *places = arranged(desk, [("bears", one) for one in (low, flat, high)])
+    below = desk.placed(own)
+    each = [one.placed(at) for one, (at,) in zip((low, flat, high), places, strict=True)]
+    for one in each:
+        assert abs(float(one.box[0, 2] - below.box[1, 2])) < 0.05
+        assert (one.box[0, :2] > below.box[0, :2]).all()
+        assert (one.box[1, :2] < below.box[1, :2]).all()
+    for k, one in enumerate(each):
+        for other in each[k + 1 :]:
+            apart = torch.maximum(one.box[0] - other.box[1], other.box[0] - one.box[1])[:2]
+            assert float(apart.max()) > -0.02
+    assert float(each[2].box[0, 1]) >= float(each[1].box[1, 1]) - 0.02
+
+
+def test_two_beside_a_table_are_on_its_two_sides():
+    table, chair = body("a table"), body("a chair")
+    (own,), (first,), (second,) = arranged(table, [("beside", chair), ("beside", chair)])
+    there, right, left = table.placed(own), chair.placed(first), chair.placed(second)
+    assert float(right.box[0, 0]) == pytest.approx(float(there.box[1, 0]), abs=0.03)
+    assert float(left.box[1, 0]) == pytest.approx(float(there.box[0, 0]), abs=0.03)
+    for one in (right, left):
+        assert float(one.box[0, 2]) == pytest.approx(float(there.box[0, 2]), abs=1e-4)
+
+
+def test_two_kinds_fill_a_basket_as_one_heap():
+    apple, _, _ = several("an apple", 5, "heap")
+    pear, _, _ = several("a pear", 5, "heap")
+    apples, pears = mixed_heap([apple, pear])
+    assert len(apples) == len(pears) == 5
+    shifts = torch.stack([place.shift for place in (*apples, *pears)])
+    assert float(torch.pdist(shifts).min()) > 0.2 * float(apple.sides[:2].min())
+    # Neither is on one side by itself.
+    middles = [torch.stack([p.shift for p in own]).mean(0)[:2] for own in (apples, pears)]
+    assert float((middles[0] - middles[1]).norm()) < 0.6 * float(apple.sides[0])
+    basket = body("a basket")
+    (at,), *places = arranged(basket, [("bears", apple), ("bears", pear)])
+    inside = basket.placed(at)
+    for thing, own in zip((apple, pear), places, strict=True):
+        group = thing.group(own)
+        assert (group.box[0, :2] > inside.box[0, :2]).all()
+        assert (group.box[1, :2] < inside.box[1, :2]).all()
