@@ -284,13 +284,13 @@ def test_stripes_of_the_bodys_own_colour_are_there(parts):
 
 def test_what_stands_out_of_the_cube_is_passed_over(parts, monkeypatch):
     """As what a guide has bent may."""
-    places, normals, of = windows._surface(parts)
+    places, normals, of = windows.surface_places(parts)
     out = torch.tensor([[0.0, -9.0, 9.0], [9.0, -9.0, 0.0], [0.0, -9.0, -9.0]]).numpy()
     more = tuple(
         map(np.concatenate, ((places, out), (normals, [[0.0, -1.0, 0.0]] * 3), (of, [0] * 3)))
     )
     before = window_on(parts, [1.0], 1.0, "front")
-    monkeypatch.setattr(windows, "_surface", lambda _: more)
+    monkeypatch.setattr(windows, "surface_places", lambda _: more)
     assert window_on(parts, [1.0], 1.0, "front") == before
 
 

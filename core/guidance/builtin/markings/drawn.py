@@ -11,6 +11,7 @@ from torch import Tensor
 from core.geometry.assembly import KnownParts
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.markings import bearer_of
+from core.guidance.builtin.markings.scattered import Scattered, scattered_on
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
 from core.guidance.builtin.markings.windows import Window, window_on
@@ -34,6 +35,7 @@ NOT_ON = frozenset("wheels hubs tyres windows eyes lamps hair legs feet hands".s
 COLORS: dict[str, Color] = {  # where the prompt names none
     "heart": (0.84, 0.10, 0.16),
     "star": (0.96, 0.78, 0.20),
+    "flame": (0.95, 0.38, 0.08),
     "lightning bolt": (0.98, 0.83, 0.15),
     "cross": (0.84, 0.10, 0.14),
     "check mark": (0.20, 0.62, 0.25),
@@ -45,6 +47,7 @@ COLORS: dict[str, Color] = {  # where the prompt names none
     "anchor": (0.10, 0.17, 0.36),
     "leaf": (0.25, 0.55, 0.22),
 }
+MAIN = 0.6  # of the most worth: on parts of less nothing is scattered
 CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
 STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
 
@@ -83,9 +86,14 @@ class Drawn:
         worth = [_worth(paint, asked, emblem) for paint in paints]
         self.window: Window | None = None
         self.stripes: Float[Tensor, "2 3"] | None = None
+        self.scattered: Scattered | None = None
         if emblem.shape == STRIPES:
             self.on = worth.index(max(worth))
             self.stripes = parts.boxes()[self.on]
+        elif emblem.is_scattered:
+            self.on = worth.index(max(worth))
+            most = [part for part, much in enumerate(worth) if much >= MAIN * max(worth) > 0]
+            self.scattered = scattered_on(parts, most)
         else:
             taken = [one.window for one in before if one.window]
             self.window = window_on(parts, worth, wide / high, side, taken)
@@ -102,7 +110,7 @@ class Drawn:
     @property
     def has_place(self) -> bool:
         """Whether it is to be seen at all."""
-        return self.window is not None or self.stripes is not None
+        return any(one is not None for one in (self.window, self.stripes, self.scattered))
 
     def make_seen(self, paints: list[Painted]) -> None:
         """Change the paint that it is on, where that has its colour by nature."""
@@ -126,6 +134,8 @@ class Drawn:
             low, high = self.stripes.to(points)[:, 0]
             half, x = (high - low) / 2, (points[:, 0] - (low + high) / 2).abs()
             return STRIPE * half - (x - APART * half).abs()
+        if self.scattered is not None:
+            return self.scattered.margin(points, self.emblem.shape)
         if self.window is None:
             return torch.full_like(points[:, 0], -1.0)
         at, half = self.window.at(points) / FULL, self.window.half * FULL

@@ -235,6 +235,16 @@ def _maple(pen: Pen) -> None:
     _polygon(pen, [*right, *((-x, y) for x, y in reversed(right))])
 
 
+def _flame(pen: Pen) -> None:
+    right = [(0.05, 1.0), (0.12, 0.55), (0.42, 0.2), (0.46, 0.42), (0.72, -0.05), (0.7, -0.5)]
+    right += [(0.42, -0.88), (0.0, -1.0)]
+    left = [(-0.42, -0.88), (-0.7, -0.45), (-0.62, 0.05), (-0.5, 0.38), (-0.38, 0.1)]
+    left += [(-0.18, 0.35), (-0.12, 0.75)]
+    _polygon(pen, [*right, *left])
+    inner = [(0.02, 0.12), (0.3, -0.35), (0.26, -0.66), (0.0, -0.8), (-0.26, -0.66), (-0.28, -0.35)]
+    _polygon(pen, inner, 0)
+
+
 def _ring(pen: Pen) -> None:
     _disc(pen, (0, 0), 0.95)
     _disc(pen, (0, 0), 0.68, 0)
@@ -246,6 +256,7 @@ SHAPES: dict[str, Callable[[Pen], None]] = {
     "smiley": _smiley,
     "skull": _skull,
     "skull and crossbones": _crossbones,
+    "flame": _flame,
     "lightning bolt": _bolt,
     "cross": _cross,
     "peace sign": _peace,

@@ -96,7 +96,7 @@ def window_on(
         asked: one of ``WAYS``, or any but the back.
         taken: what has something on it already.
     """
-    surface = _surface(parts)
+    surface = surface_places(parts)
     found = []
     for name, way in WAYS.items():
         if (name == asked) if asked else way.worth:
@@ -109,7 +109,7 @@ def window_on(
 
 
 @lru_cache(2)
-def _surface(
+def surface_places(
     parts: KnownParts,
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Int[np.ndarray, " n"]]:
     """Places on the exact surfaces of all pieces, their normals and parts."""

@@ -15,7 +15,8 @@ OUTFIT_ARMS = {
     "ray gun": Noun(
         "ray guns, raygun, rayguns, blaster, blasters, laser gun, laser pistol, space gun, alien "
         "gun, retro ray gun, sci-fi gun, sci-fi pistol, sci-fi blaster, space blaster, laser "
-        "blaster, ray blaster; phaser, plasma gun, plasma pistol, freeze ray, shrink ray",
+        "blaster, ray blaster; phaser, lasers, lazers, plasma gun, plasma pistol, freeze ray, "
+        "shrink ray",
         {
             "body": "*d8382e . paint",
             "barrel": "+b4bcc6 . metal",

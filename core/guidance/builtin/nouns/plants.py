@@ -19,7 +19,9 @@ PLANTS = {
         Usual(0.4, PLANT),
     ),
     "flower": Noun(
-        "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid",
+        "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid, "
+        "geranium, hydrangea, marigold, petunia, dahlia, chrysanthemum, "
+        "primrose, pansy, begonia, magnolia, hibiscus, buttercup, gerbera",
         {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36"},
         Usual(0.4, PLANT, 0.036),
     ),

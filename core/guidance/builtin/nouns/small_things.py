@@ -63,7 +63,7 @@ SMALL_THINGS = {
     ),
     "rug": Noun(
         "carpet, area rug, persian rug, persian carpet; floor mat, mat, doormat, magic carpet, "
-        "flying carpet, oriental rug, oriental carpet",
+        "flying carpet, oriental rug, oriental carpet, picnic blanket, picnic rug",
         {
             "border": "+1f2f5c",
             "field": "*a8242c",

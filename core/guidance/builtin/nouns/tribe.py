@@ -87,7 +87,7 @@ CHILDREN_AND_TROLLS = {
     ),
     "monster": Noun(
         "monsters, furry monster, cute monster, cartoon monster, fluffy monster, friendly monster; "
-        "fuzzy monster, toy monster, little monster, monster toy",
+        "fuzzy monster, creature, beast, toy monster, little monster, monster toy",
         {
             "fur": "*2fa8a4",
             "paws": "&7fd8c8",

@@ -82,7 +82,10 @@ THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "st
 # What grows on one, and is no thing that is put there.
 GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
 # What a robot with a screen has on itself.
-_FEATURES = frozenset("screen wheel wheels display monocle hand hands".split())
+_FEATURES = frozenset(
+    """screen wheel wheels display monocle hand hands tooth teeth fang fangs eyeball
+    eyeballs""".split()
+) | {"pumpkin head"}
 _IN_HAND = 0.25  # times as long as who holds it, at most: a rabbit, and no dog
 _FISH = ("fish", "clownfish", "koi")
 _NO_FIGURES = frozenset("moai obelisk mask bone tooth eyeball hand brain".split()) | {"totem pole"}
@@ -106,12 +109,12 @@ HUNG = frozenset(
 # With these what is on it is a picture.
 PICTURED = frozenset(
     (
-        "mug, teacup, shield, rug, poster, book, plate, bottle, jar, potion, can, crate, barrel, "
-        "sack, pillow, clipboard, notice board, curtain, envelope, coin, cardboard box, vase, "
-        "bowl, goblet, skateboard, surfboard, snowboard, vinyl record, scroll, phone, towel, paper "
-        "cup, gift, lantern, signpost, stop sign, traffic light, mirror, picture frame, clock, "
-        "easel, door, window, wall, milk carton, chocolate bar, map pin, poker chip, toilet paper, "
-        "ring, tombstone, notebook"
+        "mug, teacup, teapot, jug, kettle, shield, rug, poster, book, plate, bottle, jar, potion, "
+        "can, crate, barrel, sack, pillow, clipboard, notice board, curtain, envelope, coin, "
+        "cardboard box, vase, bowl, goblet, skateboard, surfboard, snowboard, vinyl record, "
+        "scroll, phone, towel, paper cup, gift, lantern, signpost, stop sign, traffic light, "
+        "mirror, picture frame, clock, easel, door, window, wall, milk carton, chocolate bar, "
+        "map pin, poker chip, toilet paper, ring, tombstone, notebook"
     ).split(", ")
 )
 _PICTURED_GROUPS = ("Flags and Signs", "Clothes", "Electronics")

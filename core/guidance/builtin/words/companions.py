@@ -176,7 +176,10 @@ class _Search:
 
     def filled(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "A vase of red tulips", "a basket of apples": it bears some."""
+        drawn = drawn_in(prompt)
         for match in fillings.FILLED.finditer(prompt):
+            if any(start <= match.start() < end for _, start, end in drawn):
+                continue
             before, phrase = prompt[: match.start()], match["phrase"].strip()
             first = self._first_of(before)
             if first == "cube":  # as a box is read by itself

@@ -25,9 +25,11 @@ class Emblem(NamedTuple):
     color_form: str = ""
     on: str = ""  # a part by its word, where that is said
     side: str = ""  # front, side, top or back, where that is said
+    is_scattered: bool = False  # many of the shape, all over
 
     def __str__(self) -> str:
-        drawn = f'"{self.text}"' if self.text else self.shape
+        shape = plural(self.shape) if self.is_scattered else self.shape
+        drawn = f'"{self.text}"' if self.text else shape
         return f"{self.color_form} {drawn}".strip()
 
 
@@ -37,6 +39,7 @@ FLAT = {
     "star": "star",
     "smiley": "smiley face, smiley, emoji face, emoji",
     "skull and crossbones": "skull and crossbones, skull and cross bones, jolly roger",
+    "flame": "flame, hot rod flame",
     "lightning bolt": "lightning bolt, thunderbolt, bolt of lightning",
     "cross": "cross",
     "peace sign": "peace sign, peace symbol",
@@ -75,11 +78,24 @@ SIGNS = {  # by a letter of the font
 }
 
 
+def plural(name: str) -> str:
+    """Of a shape."""
+    irregular = {"leaf": "leaves", "maple leaf": "maple leaves", "daisy": "daisies"}
+    return irregular.get(name, f"{name}{'es' if name.endswith('s') else 's'}")
+
+
 def _forms(table: dict[str, str]) -> dict[str, str]:
     return {form: name for name, forms in table.items() for form in forms.split(", ")}
 
 
 FLAT_FORMS, THING_FORMS, SIGN_FORMS = map(_forms, (FLAT, ALSO_THINGS, SIGNS))
+# By what names several of them; of spots there is a pattern.
+_NO_MANY = ("cross", "circle", "ring", "smiley", "check mark")
+MANY_FORMS = {
+    plural(form): form
+    for form, name in (FLAT_FORMS | THING_FORMS).items()
+    if name not in _NO_MANY and form != "paw"
+}
 
 
 def _any(forms: "dict[str, str]") -> str:
@@ -166,11 +182,22 @@ _SHAPE = _rule(
     rf"(?:(?P<mark>[ -](?:{_MARK}|sign))(?![\w-])|"
     rf"(?=$|[,.;!]| (?!on top(?! of)\b)(?:{_AFTER}|{_MADE})\b))"
 )
+_SCATTERED = _rule(
+    rf"(?:(?:(?:{_MADE} |marked |decorated |covered )?(?:with|in|featuring|having) |and )"
+    r"(?:(?:lots of|many|some|several|a pattern of|a few) )?)?"
+    rf"(?:(?:big|bold|large|small|little|tiny|simple|cute|painted) ){{0,3}}{_COLOR}"
+    rf"(?P<shape>{_any(MANY_FORMS)}|floral|"
+    rf"(?:{_any(FLAT_FORMS | THING_FORMS)})(?= patterned| pattern))"
+    r"(?P<mark>[ -](?:patterns?|patterned|prints?|printed|motifs?|decals?|stickers?)(?![\w-]))?"
+    rf"(?![\w-])(?: {_MADE})?(?P<on> (?:all over|around|on) (?:it|them|the (?:outside|sides?))"
+    r"(?![\w-])| all over)?"
+)
 # What people have pictures on: what is with it is drawn.
 _BEARERS = _rule(
     r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
     r"bottle|potion|jar|box|bag|sack|backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|"
-    r"rug|book|sticker|badge)\b"
+    r"rug|book|sticker|badge|dress|skirt|teapot|teacup|kettle|scarf|socks?|curtains?|umbrella|towel|"
+    r"blanket|tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)\b"
 )
 _RACING = _rule(
     rf"(?:with {_A})?(?:two |twin |double )?{_COLOR}(?:(?:racing|go[ -]faster|rally) stripes?|"
@@ -249,6 +276,16 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The shapes, and where in the prompt they are written about."""
     for match in _RACING.finditer(prompt):
         yield Emblem("", STRIPES, *_color(match["color"])), match.start(), match.end()
+    for match in _SCATTERED.finditer(prompt):
+        form = re.sub("[ -]", " ", match["shape"].lower())
+        form = MANY_FORMS.get(form, "flower" if form == "floral" else form)
+        follows = re.match("(?:and|with|in|featuring|having|covered|marked|decorated) ", match[0])
+        said = match["mark"] or match["on"] or re.match(rf"{_MADE}|covered|decorated", match[0])
+        flat = form not in THING_FORMS or (form not in PARTS_TOO and _BEARERS.search(prompt))
+        if said or match["shape"].lower() == "floral" or (follows and flat):
+            shape = FLAT_FORMS.get(form) or THING_FORMS[form]
+            one = Emblem("", shape, *_color(match["color"]), is_scattered=True)
+            yield one, match.start(), match.end()
     for match in _SHAPE.finditer(prompt):
         tail = _TAIL.match(prompt, match.end())
         form = re.sub("[ -]", " ", match["shape"].lower())

@@ -359,7 +359,7 @@ SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating fini
 TRIM = frozenset(
     """trim accent accents detail details detailing edging hardware fittings piping reinforcement
     reinforcements plating inlay inlays filigree banding bracing strapping embellishments ornaments
-    highlights elements touches corners""".split()
+    highlights elements touches corners decoration decorations ornamentation""".split()
 )
 # Of these what is of metal comes first.
 HARDWARE = frozenset(

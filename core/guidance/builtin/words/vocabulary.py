@@ -22,7 +22,7 @@ from core.guidance.builtin.words.asking import asked_for
 from core.guidance.builtin.words.companion_openers import is_doing
 from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
-from core.guidance.builtin.words.emblems import emblems_in
+from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
@@ -260,7 +260,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     emblems, rest = emblems_in(prompt) if noun_needed else ((), prompt)
     got = _read(rest, known, noun_needed)
     shapes = {emblem.shape for emblem in emblems if emblem.shape}
-    own = {one for one in shapes if any(own_name(got.thing, w) for w in (one, one.split()[0]))}
+    called = {one: (one, one.split()[0], plural(one)) for one in shapes}
+    own = {one for one in shapes if any(own_name(got.thing, w) for w in called[one])}
     if own:  # a medal's star is a part of it
         emblems, rest = emblems_in(prompt, own)
         got = _read(rest, known, noun_needed)

@@ -166,7 +166,7 @@ FILLER = PLACES | frozenset(
     only extra some please pls plz i you we he she they me my your his her our their want need would
     make create generate give show draw build design lol idk omg btw tho kinda smth something just
     only really number also thats all too so any yet other nothing else lowkey quite actually
-    basically literally together""".split()
+    basically literally together kind sort type version""".split()
 )
 # What is short for a word where people type fast.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
@@ -259,6 +259,7 @@ IGNORED_ADJECTIVES = frozenset(
     fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     handmade decorated evil miniature empty full racing sunburst
+    facade entrance interior exterior wreck wreckage ruin ruins remains
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled surrounded topped toy figurine prop
     ornament stuffed cuddly cut sliced stained bent torn crooked percent
@@ -350,7 +351,7 @@ ALONE |= {
     "driftwood": "log",
 }
 ALONE |= dict.fromkeys(("pine", "spruce", "cedar"), "tree")
-ALONE |= dict.fromkeys(("birch", "maple", "beech"), "oak tree")
+ALONE |= dict.fromkeys(("oak", "birch", "maple", "beech"), "oak tree")
 ALONE |= dict.fromkeys(("chocolate", "white chocolate", "dark chocolate"), "chocolate bar")
 WITHOUT = ("without", "no", "not", "lacking")
 LOOKS = ("color", "material", "sheen", "shape", "pattern")  # which a part may have of its own

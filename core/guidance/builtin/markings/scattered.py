@@ -1,0 +1,89 @@
+"""Small copies of a shape all over a thing: "a mug with hearts"."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from scipy.spatial import KDTree
+from torch import Tensor
+
+from core.geometry.assembly import KnownParts
+from core.guidance.builtin.markings.margins import all_of
+from core.guidance.builtin.markings.shapes import shape_margin
+from core.guidance.builtin.markings.windows import surface_places
+
+HALF = 0.1  # of a shape, times the thing's longest side
+FEWEST = 8  # shapes, or they are smaller
+SMALLEST = 0.03  # of the longest side
+APART = 2.9  # halves, from one middle to the next
+DEEP = 0.4  # halves: on the other side of a mug's wall there is none
+EVEN = 0.85  # the mean normal's length around a middle, at least
+TRIED = 6000  # places
+TILT = math.radians(18)  # at most
+UPRIGHT = 0.9  # of a normal's z, from which "up" is to the back
+
+
+class Scattered(NamedTuple):
+    """The shapes' places on a thing, each in a plane of its own."""
+
+    middles: Float[Tensor, "k 3"]
+    right: Float[Tensor, "k 3"]
+    up: Float[Tensor, "k 3"]
+    outward: Float[Tensor, "k 3"]
+    half: float  # training units
+
+    def margin(self, points: Float[Tensor, "n 3"], shape: str) -> Float[Tensor, " n"]:
+        """How far inside the nearest shape."""
+        nearest = torch.cdist(points, self.middles.to(points)).argmin(1)
+        away = points - self.middles.to(points)[nearest]
+        right, up, outward = (
+            (away * axis.to(points)[nearest]).sum(1) for axis in (self.right, self.up, self.outward)
+        )
+        inside = shape_margin(torch.stack([right, up], 1) / self.half, shape) * self.half
+        return all_of(inside, DEEP * self.half - outward.abs())
+
+
+def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
+    """All over these parts, evenly; None where they have no room."""
+    places, normals, of = surface_places(parts)
+    here = np.isin(of, on)
+    places, normals = places[here], normals[here]
+    if not len(places):
+        return None
+    longest = float(np.ptp(places, axis=0).max())
+    tree = KDTree(places)
+    half = HALF * longest
+    found: list[int] = []
+    while len(found) < FEWEST and half > SMALLEST * longest:
+        found = _apart(places, normals, tree, half)
+        half *= 1 if len(found) >= FEWEST else 0.75
+    if not found:
+        return None
+    outward = normals[found]
+    above = np.where(np.abs(outward[:, 2:]) > UPRIGHT, [[0.0, 1.0, 0.0]], [[0.0, 0.0, 1.0]])
+    up = above - (above * outward).sum(1, keepdims=True) * outward
+    up /= np.linalg.norm(up, axis=1, keepdims=True)
+    right = np.cross(up, outward)
+    tilt = np.random.default_rng(0).uniform(-TILT, TILT, (len(found), 1))
+    up, right = (np.cos(tilt) * up + np.sin(tilt) * right, np.cos(tilt) * right - np.sin(tilt) * up)
+    axes = (torch.from_numpy(of).float() for of in (places[found], right, up, outward))
+    return Scattered(*axes, half)
+
+
+def _apart(
+    places: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"], tree: KDTree, half: float
+) -> list[int]:
+    """Places that are far enough from one another, where the surface is even."""
+    tried = np.random.default_rng(0).permutation(len(places))[:TRIED]
+    inward = ((places - places.mean(0)) * normals).sum(1)[tried] < 0
+    found: list[int] = []
+    for index in tried[np.argsort(inward, kind="stable")]:  # what is seen from outside first
+        place = places[index]
+        if found and np.linalg.norm(places[found] - place, axis=1).min() < APART * half:
+            continue
+        around = normals[tree.query_ball_point(place, half)].mean(0)
+        if np.linalg.norm(around) > EVEN and around @ normals[index] > EVEN:
+            found.append(int(index))
+    return found
