@@ -49,13 +49,13 @@ def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
     ("prompt", "stands", "has_legs"),
     [
         ("a penguin", True, True),
-        ("a teddy bear", True, False),
         ("a robot", True, True),
-        ("a monkey", True, False),
         ("a cat", False, True),
-        ("an elephant", False, True),
-        ("a shark", False, False),
         ("a snake", True, False),
+        pytest.param("a shark", False, False, marks=pytest.mark.slow),
+        pytest.param("a teddy bear", True, False, marks=pytest.mark.slow),
+        pytest.param("a monkey", True, False, marks=pytest.mark.slow),
+        pytest.param("an elephant", False, True, marks=pytest.mark.slow),
     ],
 )
 def test_how_somebody_is_built(prompt: str, stands: bool, has_legs: bool):

@@ -93,7 +93,7 @@ def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part)
 
 @pytest.mark.parametrize(
     ("noun", "part"),
-    [*SPOTS[::2], *(pytest.param(*each, marks=pytest.mark.slow) for each in SPOTS[1::2])],
+    [*SPOTS[:1], *(pytest.param(*each, marks=pytest.mark.slow) for each in SPOTS[1:])],
 )
 def test_spots_are_on_both_sides_of_a_front(noun, part):
     drawn = shipped_prior().prompted(f"a {noun}", "").of_object(1)

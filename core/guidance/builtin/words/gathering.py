@@ -12,18 +12,19 @@ from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
+from core.guidance.builtin.words.count_words import SEVERAL
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.sizes import usual
 
-ON, IN, BY = "on top of it", "in it", "next to it"
+ON, IN, BY, HEAPED = "on top of it", "in it", "next to it", "in a heap on top of it"
 # On these things stand, and are not painted.
 _TOPS = frozenset(
     (
         "table, desk, coffee table, picnic table, pool table, nightstand, dresser, cabinet, stool, "
         "bench, bed, bunk bed, four-poster bed, sofa, armchair, ottoman, shelf, bookshelf, "
         "counter, rug, towel, piano, grand piano, fireplace, stove, grill, cutting board, plate, "
-        "stump, column, pallet, market stall, trailer"
+        "stump, column, pallet, trailer"
     ).split(", ")
 )
 _FURNITURE = frozenset(GROUPS["Furniture"]) - {"lamp", "pillow", "shelf", "mirror", "beanbag"}
@@ -56,6 +57,7 @@ _SERVED = frozenset("mug teacup goblet teapot bottle candle bowl can".split()) |
 _COMPUTERS = re.compile(r"\b(?:computer|pc|laptop|monitor|keyboard)s?\b", re.IGNORECASE)
 _STOVES = frozenset("stove grill campfire fireplace".split())
 _POT = re.compile(r"(?<!flower )(?<!cooking )\bpot\b(?! of)", re.IGNORECASE)
+_HEATED = frozenset("pan kettle teapot cauldron".split()) | {"cooking pot", "moka pot"}
 _CLOCK = re.compile(r"(?<=\ba )clock\b", re.IGNORECASE)
 _MOUSE = re.compile(r"(?<!computer )(?<!cat and )\bmouse\b(?! ?pad)", re.IGNORECASE)
 _ONE = re.compile(
@@ -154,7 +156,10 @@ def spread(prompt: str, first_of: Callable[[str], str], is_own: Callable[[str, s
         if first and clause and (found := _listed(prompt[:begin], clause, first, is_own)):
             kept = " and ".join(one.phrase for one in found if not one.place)
             parts = [prompt[:begin].rstrip(), *([f"with {kept}"] if kept else [])]
-            parts += [f"with {one.phrase} {one.place}" for one in found if one.place]
+            parts += [
+                f"with {one.phrase} {one.place}" for one in found if one.place not in ("", HEAPED)
+            ]
+            parts += [f"with a heap of {one.phrase} {ON}" for one in found if one.place == HEAPED]
             return " ".join(parts) + rest[found[-1].end :]
     return prompt
 
@@ -253,7 +258,11 @@ def _place(first: str, phrase: str, index: int) -> str:
     long = fillings.length(noun, phrase) / usual(first)[0]
     if noun in known_as.POINTED and first in known_as.PIERCED:
         return IN
-    if first in _TOPS and not heap:
+    if first in _STOVES and noun in _HEATED:
+        return ON
+    if first in _TOPS and heap:
+        return ON if noun in SEVERAL else HEAPED if noun in known_as.EDIBLE else ""
+    if first in _TOPS:
         beside = long > _TALL and noun in _FURNITURE | _GROWING | _VEHICLES
         return BY if beside else ON if long < _LARGEST else ""
     if first == PLATE and noun in _SERVED:
