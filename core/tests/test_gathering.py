@@ -62,6 +62,50 @@ def with_it(prompt: str) -> tuple[str, list[str]]:
         ("a table with a chair on each side", "table", ["beside chair", "beside chair"]),
         ("a chair next to a table with a lamp on it", "table", ["bears lamp", "beside chair"]),
         ("a fork, a knife and a spoon", "fork", ["beside knife", "beside spoon"]),
+        (
+            "an apple, a banana and a pear on a plate",
+            "plate",
+            ["bears apple", "bears banana", "bears pear"],
+        ),
+        ("a campfire w/ a pot and a wolf", "campfire", ["bears cooking pot", "beside wolf"]),
+        ("a table with apples and a vase", "table", ["bears 7 apple", "bears vase"]),
+        ("a table with potions", "table", ["bears 3 potion"]),
+        ("a cake topped with strawberries", "cake", ["bears 7 strawberry"]),
+        (
+            "a desk: a book, crystal ball and potion",
+            "desk",
+            ["bears book", "bears crystal ball", "bears potion"],
+        ),
+        ("a shelf holding a bottle and a fern", "shelf", ["bears bottle", "bears fern"]),
+        (
+            "an altar surrounded by a skeleton and a chest",
+            "table",
+            ["beside skeleton", "beside chest"],
+        ),
+        ("an island with a tree and a pagoda", "island", ["bears tree", "bears pagoda"]),
+        (
+            "a well with a bucket and a crow sitting on the edge",
+            "well",
+            ["beside bucket", "bears black bird"],
+        ),
+        ("a rocking chair with a cat curled up on the seat", "rocking chair", ["bears cat"]),
+        ("a pirate ship with a parrot on the mast", "pirate ship", ["bears parrot"]),
+        (
+            "a game console with two controllers",
+            "game console",
+            ["beside game controller", "beside game controller"],
+        ),
+        (
+            "a table with a vase, a mug with hearts and two chairs",
+            "table",
+            ["bears vase", "bears mug", "beside chair", "beside chair"],
+        ),
+        ("a table with a lamp with a red shade and a book", "table", ["bears lamp", "bears book"]),
+        (
+            "a bench with a candle melted over a skull and a mug",
+            "bench",
+            ["bears candle", "bears mug"],
+        ),
     ],
 )
 def test_what_is_listed_has_its_place(prompt, thing, others):
@@ -90,6 +134,14 @@ def test_what_is_listed_has_its_place(prompt, thing, others):
 )
 def test_a_part_or_a_print_is_no_other_thing(prompt):
     assert parse(prompt).companions == ()
+
+
+def test_what_is_said_of_one_of_a_list_is_of_that():
+    table = parse("a table with a lamp with a red shade and a mug with hearts")
+    lamp, mug = (one.words for one in table.companions)
+    assert lamp == parse("a lamp with a red shade")
+    assert [str(one) for one in mug.emblems] == ["hearts"]
+    assert not table.emblems and not table.accents
 
 
 def test_three_on_a_desk_stand_apart_with_the_tallest_behind():

@@ -142,7 +142,7 @@ def test_an_unknown_word_is_left_out_only_right_before_its_noun(prompt):
 @pytest.mark.parametrize(
     ("prompt", "words", "aside"),
     [
-        ("a couch with red pillows", Words("sofa"), "red pillow"),
+        ("a teapot with red pillows", Words("teapot"), "red pillow"),
         ("a jar of red flowers, blue", Words("jar", color="blue"), "red flower"),
         ("a yellow teapot with a wooden sword", Words("teapot", color="yellow"), "wooden sword"),
         ("table with lamp", Words("table"), "lamp"),

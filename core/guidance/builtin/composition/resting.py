@@ -126,8 +126,7 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
     wide = WIDEST * room / lying.sides[:2].max()
     if thing.words.noun in LYING:  # a surfboard on a car's roof
         wide = wide / WIDEST
-    sizes = BORNE if count <= 2 else (BORNE[0] / 2, BORNE[1])
-    place = Placement.of(min(sized(lying, carrier, *sizes), float(wide)), turn)
+    place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
     borne = thing.placed(place)
     return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 

@@ -1,6 +1,7 @@
 """What a prompt wants drawn on the thing (``core.guidance.builtin.words.emblems``): where it comes
 to lie, and its colour."""
 
+import colorsys
 import textwrap
 from collections.abc import Sequence
 
@@ -49,6 +50,7 @@ COLORS: dict[str, Color] = {  # where the prompt names none
 }
 MAIN = 0.6  # of the most worth: on parts of less nothing is scattered
 CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
+VIVID, SAME_HUE = 0.3, 0.08  # saturation; of the circle
 STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
 
 
@@ -115,7 +117,8 @@ class Drawn:
     def make_seen(self, paints: list[Painted]) -> None:
         """Change the paint that it is on, where that has its colour by nature."""
         on = paints[self.on]
-        if not (on.colored or on.material or differ(on.color, self.paint.color)):
+        seen = differ(on.color, self.paint.color) and not alike(on.color, self.paint.color)
+        if not (on.colored or on.material or seen):
             other = companion(self.paint.color)
             paints[self.on] = on._replace(color=other, second=other, pattern="", colored=True)
 
@@ -196,3 +199,10 @@ def _color(on: Color, emblem: Emblem) -> Color:
 def differ(one: Color, other: Color) -> bool:
     """Whether the one is seen on the other."""
     return max(abs(a - b) for a, b in zip(one, other, strict=True)) > CLEAR
+
+
+def alike(one: Color, other: Color) -> bool:
+    """Whether both are of one hue: light blue and navy."""
+    (hue, full, _), (hue_2, full_2, _) = (colorsys.rgb_to_hsv(*color) for color in (one, other))
+    away = abs(hue - hue_2)
+    return min(full, full_2) > VIVID and min(away, 1 - away) < SAME_HUE

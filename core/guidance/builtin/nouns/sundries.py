@@ -149,7 +149,7 @@ SUNDRY_SMALL = {
 SUNDRY_MONSTERS = {
     "slime": Noun(
         "slimes, slime monster, jelly monster, slime creature, jelly "
-        "slime, blob monster, game slime, rpg slime; ooze, goo monster, "
+        "slime, blob monster, slime blob, game slime, rpg slime; ooze, goo monster, "
         "gelatinous cube, slime king",
         {
             "body": "*4fc23a . plastic",

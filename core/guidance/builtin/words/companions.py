@@ -23,15 +23,24 @@ from core.guidance.builtin.words.companion_phrases import ARTICLES, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
 from core.guidance.builtin.words.count_words import CONTAINED, MIXED
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
-from core.guidance.builtin.words.gathering import mixtures_named, spread, turned
+from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
 from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.tokens import DOING
+from core.guidance.builtin.words.whereabouts import Place
 
 MOST = 4  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
 _PLACING = ("on", "in")  # of which a thing has one
+_RELATIONS: dict[Place, Relation] = {
+    "on": "bears",
+    "three on": "bears",
+    "heaped on": "bears",
+    "in": "bears",
+    "by": "beside",
+}
+_HOW_MANY = {"three on": "three ", "heaped on": "a heap of "}
 _HAVING = ("holds", "beside", "bears")
 _DRIVING = ("driving", "drives", "drive")
 
@@ -104,8 +113,8 @@ def companions_in(
     """
     found = list(found)
     search = _Search(read, first_of)
-    prompt = spread(turned(mixtures_named(prompt)), first_of, search.is_own)
-    for step in (search.placed, search.served, search.filled, search.opened):
+    prompt = turned(mixtures_named(prompt))
+    for step in (search.listed, search.placed, search.served, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
@@ -120,10 +129,37 @@ class _Search:
     def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
         self._read, self._first_of = read, first_of
 
-    def is_own(self, phrase: str, first: str) -> bool:
+    def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "With a lamp, a laptop and a mug"."""
+        got = listed_in(prompt, self._first_of, self._is_own)
+        if got is None:
+            return [], prompt
+        first = self._first_of(prompt[: got.start])
+        taken: list[Found] = []
+        kept: list[str] = []
+        for item in got.items:
+            more = self._at_place(item, first, [*found, *taken])
+            taken += more
+            kept += [] if more else [item.phrase]
+        left = [f"with {' and '.join(kept)}"] if kept else []
+        return taken, _cut(prompt, got.start, got.end, left) if taken else prompt
+
+    def _is_own(self, phrase: str, first: str) -> bool:
         """Whether it names what the first thing has by itself, or nothing that is known."""
         got = self._read(phrase)
         return got is None or _is_part(got.entry, first)
+
+    def _at_place(self, item: Item, first: str, found: list[Found]) -> list[Found]:
+        """What is listed, as one or two; nothing where there is no room for it."""
+        if not item.place or len(found) >= MOST:
+            return []
+        phrase = f"{_HOW_MANY.get(item.place, '')}{item.phrase}"
+        one = self._taken(_RELATIONS[item.place], phrase, first, found)
+        if one and item.place == "in":
+            one = self._as_filling(one, first)
+        if one is None:
+            return []
+        return _on_both_sides(one, "") if item.place == "by" else [one]
 
     def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a house on its back", "with a strawberry on top"."""

@@ -95,7 +95,7 @@ MANY_FORMS = {
     plural(form): form
     for form, name in (FLAT_FORMS | THING_FORMS).items()
     if name not in _NO_MANY and form != "paw"
-}
+} | dict.fromkeys(("roses", "blossoms", "poppies", "sunflowers", "cherry blossoms"), "flower")
 
 
 def _any(forms: "dict[str, str]") -> str:

@@ -1,5 +1,5 @@
-"""What a prompt lists with a thing, put so that each says its place: "a desk with a lamp and a mug"
-is one with a lamp on it and with a mug on it.
+"""What a prompt lists with a thing, and where each is: "a desk with a lamp and a mug" is one with
+a lamp on it and a mug on it.
 
 Standard library only.
 """
@@ -8,75 +8,52 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
-from core.guidance.builtin.words.count_words import SEVERAL
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.whereabouts import STOVES, TOPS, Place, place_of
 
-ON, IN, BY, HEAPED = "on top of it", "in it", "next to it", "in a heap on top of it"
-# On these things stand, and are not painted.
-_TOPS = frozenset(
-    (
-        "table, desk, coffee table, picnic table, pool table, nightstand, dresser, cabinet, stool, "
-        "bench, bed, bunk bed, four-poster bed, sofa, armchair, ottoman, shelf, bookshelf, "
-        "counter, rug, towel, piano, grand piano, fireplace, stove, grill, cutting board, plate, "
-        "stump, column, pallet, trailer"
-    ).split(", ")
-)
-_FURNITURE = frozenset(GROUPS["Furniture"]) - {"lamp", "pillow", "shelf", "mirror", "beanbag"}
-_TALL = 0.5  # times as long as a table: what stands beside it, if it is furniture or grows
-_LARGEST = 1.2  # times as long as what it is on or in
-_VEHICLES = frozenset(GROUPS["Vehicles"]) | frozenset(GROUPS["Aircraft and Space"])
-_OF_VEHICLES = (
-    frozenset(GROUPS["Flags and Signs"])
-    | frozenset("flag anchor wheel engine oar cannon radio tire speaker".split())
-    | {"ship wheel"}
-)
-_BUILDINGS = frozenset(GROUPS["Buildings"])
-_GROWING = frozenset("tree palm bush mushroom boulder stump log".split()) | {
-    *("oak tree", "christmas tree", "willow tree", "bamboo plant"),
-}
-_PERCHING = frozenset("bird owl parrot eagle squirrel toucan".split())
-_PITCHED = frozenset("tent campfire well signpost mailbox tombstone anvil scarecrow".split())
-# What stands beside a house or a tree, besides vehicles, and who is alive.
-_OUTSIDE = (
-    _GROWING
-    | _FURNITURE
-    | _PITCHED
-    | frozenset(
-        "cactus barrel chest crate cauldron cannon snowman wheelbarrow pumpkin fence".split()
-    )
-    | frozenset("windmill fountain silo swing seesaw crane ladder".split())
-    | {"street lamp", "potted plant", "hay bale", "flower pot", "trash can", "fire hydrant"}
-)
-_SERVED = frozenset("mug teacup goblet teapot bottle candle bowl can".split()) | {"wine glass"}
 _COMPUTERS = re.compile(r"\b(?:computer|pc|laptop|monitor|keyboard)s?\b", re.IGNORECASE)
-_STOVES = frozenset("stove grill campfire fireplace".split())
 _POT = re.compile(r"(?<!flower )(?<!cooking )\bpot\b(?! of)", re.IGNORECASE)
-_HEATED = frozenset("pan kettle teapot cauldron".split()) | {"cooking pot", "moka pot"}
-_CLOCK = re.compile(r"(?<=\ba )clock\b", re.IGNORECASE)
+_CLOCK = re.compile(
+    r"(?<!alarm )(?<!grandfather )(?<!cuckoo )\b(?:mantel |desk |table )?clock\b", re.IGNORECASE
+)
 _MOUSE = re.compile(r"(?<!computer )(?<!cat and )\bmouse\b(?! ?pad)", re.IGNORECASE)
 _ONE = re.compile(
     r"(?:an?|the|its|one|some|two|three|four|five|six|several|a (?:pair|couple) of)\s",
     re.IGNORECASE,
 )
 _JOIN = re.compile(r"\s*,\s*(?:and\s+)?(?:with\s+)?|\s+(?:and|plus)\s+(?:with\s+)?", re.IGNORECASE)
+_POSTURE = r"(?:(?:[a-z]+(?:ing|ed)|asleep|built|stuck|set)(?: up)? )"
 _WHERE = re.compile(
-    r"\s(?:(?:sitting|standing|lying|resting|placed) )?(?:"
-    r"(?P<on>(?:on top of|on|upon|atop) (?:it|them)|(?:on|at) (?:the |its )?top(?: of it)?)|"
-    r"(?P<within>in(?:side)? (?:it|them)|inside)|(?P<by>BY))$".replace("BY", known_as.BY_IT),
+    rf"\s{_POSTURE}?(?:"
+    r"(?:on top of|on|upon|atop) (?:it|them)|(?:on|at) (?:the |its )?top(?: of it)?|"
+    r"on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface)|"
+    rf"(?P<within>in(?:side)? (?:it|them)|inside)|(?P<by>{known_as.BY_IT}))$",
     re.IGNORECASE,
 )
+_AT = re.compile(
+    r" on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface)$", re.IGNORECASE
+)
+_PERCHED = re.compile(r" on (?:the|its|an?|one) (?:[\w-]+ )?[\w-]+$", re.IGNORECASE)
+# What is said of a thing behind its name.
+_SAID = re.compile(
+    r" (?:that|in|on|over|under|above|from|for|melted|[a-z]{2,}ing|covered|stuck|asleep|full)\b"
+)
+_STUFFED = "full|filled|stuffed|packed|loaded|piled|heaped"
+_FULL = frozenset(
+    ("of", "laden with", *(f"{how} {of}" for how in _STUFFED.split("|") for of in ("of", "with")))
+)
+_ON, _BY, _HAS = frozenset(("topped with", "strewn with")), "surrounded by", ("holding", "carrying")
 _CLAUSE = re.compile(
-    r"(?<![\w-])(?P<way>with|having|of|(?:full|filled) (?:of|with)) (?=(?P<list>[^.;:!?()\"“]+))",
+    rf"(?:(?<![\w-])(?P<way>with|having|that has|{_BY}|{'|'.join((*_HAS, *_ON, *_FULL))})|:) "
+    r"(?=(?P<list>[^.;:!?()\"“]+))",
     re.IGNORECASE,
 )
 _END = re.compile(
-    r" (?:with|that|which|who|while|made|for|wearing|holding|from|in (?=an? |the )|on (?=an? ))",
+    r" (?:that|which|who|while|made|for|wearing|holding|from|in (?=an? |the )|on (?=an? [^,]*$))",
     re.IGNORECASE,
 )
 _ITEM = (
@@ -107,17 +84,22 @@ _MIXED_BEFORE = re.compile(
     r"\b(?P<what>fruit|vegetable|veggie)s? (?P<container>bowl|basket|crate|platter)\b",
     re.IGNORECASE,
 )
-
-
 _ANOTHER = re.compile(r" (?:with|on|in|beside|holding|next to) ", re.IGNORECASE)
 
 
-class _Item(NamedTuple):
-    """One of a list, and the place that it has there."""
+class Item(NamedTuple):
+    """One of a list."""
 
     phrase: str
+    place: Place
+
+
+class Listed(NamedTuple):
+    """What a prompt lists, between two of its indices."""
+
+    items: list[Item]
+    start: int
     end: int
-    place: str
 
 
 def in_a_row(prompt: str) -> list[str]:
@@ -133,162 +115,148 @@ def turned(prompt: str) -> str:
     if listed is None:
         return prompt
     below, items = named_in(listed["below"]), _JOIN.split(listed["list"])
-    if any(not _names(one, 0) or is_creature(named_in(one)) for one in items):
+    if any(not _names(one, bare=False) or is_creature(named_in(one)) for one in items):
         return prompt
     within = below in known_as.CONTAINERS and below != PLATE
-    if not (within or below in _TOPS) or (within == listed["way"].startswith("on")):
+    if not (within or below in TOPS) or (within == listed["way"].startswith("on")):
         return prompt
-    where = IN if within else ON
-    return listed["below"] + "".join(f" with {one} {where}" for one in items)
+    return f"{listed['below'].strip()} with {listed['list'].strip()} {'in' if within else 'on'} it"
 
 
-def spread(prompt: str, first_of: Callable[[str], str], is_own: Callable[[str, str], bool]) -> str:
-    """The prompt with the place behind each thing that it lists with the first.
+def listed_in(
+    prompt: str, first_of: Callable[[str], str], is_own: Callable[[str, str], bool]
+) -> Listed | None:
+    """What the prompt lists first with the thing that it is of.
 
     Args:
         first_of: the thing that a text names first, or "".
         is_own: whether a phrase names what the first thing has by itself.
     """
-    for begin in (match.start() for match in _CLAUSE.finditer(prompt)):
-        first = first_of(prompt[:begin])
-        rest = _as_meant(first, prompt[begin:])
-        clause = _CLAUSE.match(rest)
-        if first and clause and (found := _listed(prompt[:begin], clause, first, is_own)):
-            kept = " and ".join(one.phrase for one in found if not one.place)
-            parts = [prompt[:begin].rstrip(), *([f"with {kept}"] if kept else [])]
-            parts += [
-                f"with {one.phrase} {one.place}" for one in found if one.place not in ("", HEAPED)
-            ]
-            parts += [f"with a heap of {one.phrase} {ON}" for one in found if one.place == HEAPED]
-            return " ".join(parts) + rest[found[-1].end :]
-    return prompt
+    for clause in _CLAUSE.finditer(prompt):
+        first = first_of(prompt[: clause.start()])
+        if first and (found := _placed(prompt[: clause.start()], clause, first, is_own)):
+            end = clause.start("list") + found[-1].end
+            items = [Item(_as_meant(first, one.phrase, clause["list"]), one.where) for one in found]
+            return Listed(items, clause.start(), end)
+    return None
 
 
-def _as_meant(first: str, text: str) -> str:
+def _as_meant(first: str, phrase: str, text: str) -> str:
     """What is listed with a desk or on a stove by its full name: a mouse of a computer."""
     if _COMPUTERS.search(text):
-        text = _MOUSE.sub("computer mouse", text)
-    if first in _TOPS:
-        text = _CLOCK.sub("alarm clock", text)
-    return _POT.sub("cooking pot", text) if first in _STOVES else text
+        phrase = _MOUSE.sub("computer mouse", phrase)
+    if first in TOPS:
+        phrase = _CLOCK.sub("alarm clock", phrase)
+    return _POT.sub("cooking pot", phrase) if first in STOVES else phrase
 
 
-def _listed(
-    before: str, clause: re.Match[str], first: str, is_own: Callable[[str, str], bool]
-) -> list[_Item]:
-    """What the clause lists up to the last that has a place; nothing where it is to stay."""
-    items, given = _items(clause)
-    several = len(items) > 1
-    if given:
-        if not several or (given == ON and known_as.is_pictured(first)):
-            return []
-        items = [
-            one._replace(place=given if _names(one.phrase, k) else "")
-            for k, one in enumerate(items)
-        ]
-    elif clause["way"].lower() not in ("with", "having"):
-        nearest = not _ANOTHER.search(before)
-        of_first = nearest and first in known_as.CONTAINERS
-        if not (several and of_first and _are_many(items)):
-            return []
-        items = [one._replace(place=IN) for one in items]
-    else:
-        items = [
-            one._replace(place="" if is_own(one.phrase, first) else _place(first, one.phrase, k))
-            for k, one in enumerate(items)
-        ]
-    is_meal = not several and named_in(items[0].phrase) in known_as.EDIBLE
-    if first == PLATE and (is_meal or not all(one.place for one in items)):
+class _Part(NamedTuple):
+    """A part of a list that is between commas."""
+
+    phrase: str  # without what is said of it where it is
+    text: str  # all of it
+    end: int  # in the list
+    where: Place = ""  # as is said
+
+
+IsOwn = Callable[[str, str], bool]
+
+
+def _placed(before: str, clause: re.Match[str], first: str, is_own: IsOwn) -> list[_Part]:
+    """What the clause lists up to the last that has a place, with the places; nothing where it is
+    to stay."""
+    way, text = (clause["way"] or ":").lower(), clause["list"]
+    on, by = way in _ON, way == _BY
+    full = way in _FULL and (way == "of" or first not in TOPS)
+    parts = _parts(re.split(",? with ", text)[0] if full or on or by else text)
+    several, said = len(parts) > 1, parts[-1].where
+    if (way == ":" and first not in TOPS) or (way in _HAS and known_as.is_dressed(first)):
+        return []
+    if full and not (several and _is_full(before, first, parts)):
+        return []
+    if said and not several and not _AT.search(text):
+        return []  # as it is read anyway
+    if said == "on" and known_as.is_pictured(first) and first not in TOPS:
+        return []
+    of_last = said == "by" or _AT.search(text)  # "and a crow on the edge"
+    found = []
+    for k, part in enumerate(parts):
+        whole = _as_meant(first, part.phrase, text)
+        is_one = _names(whole, bare=bool(k) or way == ":")
+        place: Place = "" if is_own(whole, first) else place_of(first, whole, is_one)
+        if full:
+            place = "in"
+        elif _PERCHED.search(part.text) and is_creature(named_in(whole)):
+            place = "on"
+        elif (by or (said and (k == len(parts) - 1 or not of_last))) and is_one:
+            place = "by" if by else said
+        elif on and not place and is_one:
+            place = "on"
+        found.append(part._replace(where=place))
+    is_meal = not several and named_in(parts[0].phrase) in known_as.EDIBLE
+    if first == PLATE and (is_meal or not all(one.where for one in found)):
         return []  # the food is the thing
-    while items and not items[-1].place:
-        items.pop()
-    return items
+    while found and not found[-1].where:
+        found.pop()
+    return found
 
 
-def _items(clause: re.Match[str]) -> tuple[list[_Item], str]:
-    """What stands between the commas, up to where the place of all is said; that place."""
-    text, begin = clause["list"], clause.start("list")
+def _is_full(before: str, first: str, parts: list[_Part]) -> bool:
+    """Whether the first thing is a container that all of it fills."""
+    if first not in known_as.CONTAINERS or _ANOTHER.search(before):
+        return False
+    many = [named_in(one.phrase) and fillings.fills(one.phrase) for one in parts]
+    return (
+        all(x or _names(one.phrase, bare=False) for x, one in zip(many, parts, strict=True))
+        and many[0]
+    )
+
+
+def _parts(text: str) -> list[_Part]:
+    """What stands between the commas, up to where it is said where it is."""
     end = _END.search(text)
     text = text[: end.start()] if end else text
-    found, at = [], 0
-    while at <= len(text):
+    found: list[_Part] = []
+    at = 0
+    while True:
         join = _next_join(text, at)
-        stop = join.start() if join else len(text)
-        phrase = text[at:stop].rstrip()
+        phrase = text[at : join.start() if join else len(text)].rstrip()
         where = _WHERE.search(phrase)
+        stop, whole = at + len(phrase), phrase
+        phrase = phrase[: where.start()] if where else phrase
+        said: Place = ""
         if where:
-            phrase = phrase[: where.start()]
-        found.append(_Item(phrase, begin + at + len(text[at:stop].rstrip()), ""))
-        if where:
-            given = ON if where["on"] else IN if where["within"] else BY
-            return found, given
-        if join is None:
-            break
+            said = "in" if where["within"] else "by" if where["by"] else "on"
+        found.append(_Part(_alone(phrase), whole, stop, said))
+        if where or join is None:
+            return found
         at = join.end()
-    return found, ""
+
+
+def _alone(phrase: str) -> str:
+    """The phrase without what a thing does, or where: "a candle melted over a skull"."""
+    said = next((one for one in _SAID.finditer(phrase) if named_in(phrase[: one.start()])), None)
+    return phrase[: said.start()] if said else phrase
 
 
 def _next_join(text: str, begin: int) -> re.Match[str] | None:
-    """Where the item that begins there ends: behind "a basket of apples and oranges"."""
+    """Where the item that begins there ends: behind "a basket of apples and oranges", "a mug with
+    hearts and stars"."""
     for join in _JOIN.finditer(text, begin):
-        goes_on = " of " in text[begin : join.start()] and "," not in join[0]
+        item = text[begin : join.start()]
+        goes_on = (" of " in item and "," not in join[0]) or " with " in item
         if not goes_on or _ONE.match(text, join.end()):
             return join
     return None
 
 
-def _names(phrase: str, index: int) -> bool:
-    """Whether the item names one thing, or some: "a lamp", and no "wooden legs"; behind the first
-    it may have no article."""
-    noun = named_in(phrase)
-    return bool(noun and (index or _ONE.match(phrase))) and ends_in_name(phrase, noun)
-
-
-def _are_many(items: list[_Item]) -> bool:
-    """Whether each is several things that lie in a heap: "apples"."""
-    return all(named_in(one.phrase) and named(one.phrase).is_many for one in items)
-
-
-def _place(first: str, phrase: str, index: int) -> str:
-    """Where a thing is that the first one is said to be with; "" where that is not clear."""
-    noun = named_in(phrase)
-    heap = bool(noun) and not _ONE.match(phrase) and fillings.fills(phrase)
-    if noun == first or not (heap or _names(phrase, index)) or noun in known_as.HUNG:
-        return ""
-    long = fillings.length(noun, phrase) / usual(first)[0]
-    if noun in known_as.POINTED and first in known_as.PIERCED:
-        return IN
-    if first in _STOVES and noun in _HEATED:
-        return ON
-    if first in _TOPS and heap:
-        return ON if noun in SEVERAL else HEAPED if noun in known_as.EDIBLE else ""
-    if first in _TOPS:
-        beside = long > _TALL and noun in _FURNITURE | _GROWING | _VEHICLES
-        return BY if beside else ON if long < _LARGEST else ""
-    if first == PLATE and noun in _SERVED:
-        return ON
-    if first in known_as.VESSELS and noun in known_as.STIRRING:
-        return IN
-    if first in known_as.DRINKS:
-        return BY if noun in known_as.EDIBLE and not heap else ""
-    if first in known_as.CONTAINERS:
-        return IN if long < _LARGEST and _goes_in(first, noun) else ""
-    if heap or (known_as.is_dressed(first) and first not in _GROWING):
-        return ""
-    if first in _GROWING and noun in _PERCHING:
-        return ON
-    if first in _VEHICLES:
-        return BY if is_creature(noun) or noun == "trailer" else ""
-    if first in _FURNITURE:
-        return BY if noun in _FURNITURE else ""
-    stands = noun in _OUTSIDE | _VEHICLES or is_creature(noun)
-    return BY if stands and first in _BUILDINGS | _GROWING | _PITCHED else ""
-
-
-def _goes_in(first: str, noun: str) -> bool:
-    if known_as.is_pictured(first):
-        return noun in known_as.EDIBLE
-    return first not in _VEHICLES or noun not in _OF_VEHICLES
+def _names(phrase: str, bare: bool) -> bool:
+    """Whether the item names one thing, or so many: "a lamp", and no "wooden legs"; it may be
+    without an article where ``bare``."""
+    whole = phrase.split(" with ")[0]
+    noun = named_in(whole)
+    one = _ONE.match(whole) or (bare and not named(whole).is_many)
+    return bool(noun and one) and ends_in_name(whole, noun)
 
 
 def mixtures_named(prompt: str) -> str:

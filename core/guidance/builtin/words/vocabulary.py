@@ -43,6 +43,7 @@ from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
 from core.guidance.builtin.words.words import GLASSWARE, PLAIN, SHAPES, WEATHERS
 
+W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"
 # "My dog is a brown dachshund".
 MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
@@ -135,7 +136,11 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    prompt = made_active(MINE.sub("", asked_for(prompt))) if noun_needed else prompt
+    prompt = (
+        made_active(MINE.sub("", asked_for(W_SLASH.sub("with ", prompt))))
+        if noun_needed
+        else prompt
+    )
     if noun_needed and (row := _row(prompt, known, ignore_unknown)):
         return row
     if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):

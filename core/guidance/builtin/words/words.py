@@ -107,7 +107,8 @@ SHEENS = {
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded, tabby, brindle, tiger stripe, tiger striped, "
     "zebra stripe, zebra striped, candy striped, pinstripe, pinstriped",
-    "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted, leopard spotted",
+    "spotted": "spot, spotty, dotted, dot, polka dot, polka dotted, leopard spotted, speckled, "
+    "dappled",
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
