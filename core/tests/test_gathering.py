@@ -188,3 +188,23 @@ def test_two_kinds_fill_a_basket_as_one_heap():
         group = thing.group(own)
         assert (group.box[0, :2] > inside.box[0, :2]).all()
         assert (group.box[1, :2] < inside.box[1, :2]).all()
+
+
+def test_a_sword_is_put_down_on_a_table_and_a_vase_stands():
+    table = box((-0.6, -0.4, -0.2), (0.6, 0.4, 0.2), "table")
+    tall = (-0.08, -0.03, -0.5), (0.08, 0.03, 0.5)
+    for noun, lies in (("sword", True), ("vase", False)):
+        thing = box(*tall, noun)
+        (own,), (at,) = arranged(table, [("bears", thing)])
+        sides = thing.placed(at).sides
+        assert bool(sides[2] < sides[:2].max()) is lies
+        on = thing.placed(at).box[0, 2] - table.placed(own).box[1, 2]
+        assert abs(float(on)) < 0.05
+
+
+def test_what_is_on_an_island_stands_on_its_ground():
+    island, house = body("an island"), body("a house")
+    (own,), (at,) = arranged(island, [("bears", house)])
+    there = island.placed(own)
+    grass = there.of_parts("grass")[:, 2].max()
+    assert float(house.placed(at).box[0, 2]) < float(grass) + 0.05

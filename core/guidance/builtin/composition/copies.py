@@ -7,7 +7,14 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.composition.placement import Z_TO_X, Body, Placement, sized
+from core.guidance.builtin.composition.placement import (
+    Body,
+    Placement,
+    about_x,
+    about_z,
+    laid_down,
+    sized,
+)
 from core.guidance.builtin.composition.resting import cells_of, highest
 from core.guidance.builtin.words.companion_words import FLOWERS
 
@@ -20,7 +27,6 @@ INWARDS = 0.15  # what a unit off a heap's middle costs, in heights
 SOME = 1500  # vertices that are dropped
 CELLS = 48  # of a heap's height map, along a side
 TURNED = math.radians(65)  # about the vertical, at most: faces look forward
-FLAT = 0.6  # times as thick as wide
 LEANING = math.radians(24)  # flowers in a bunch
 GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a disc (Vogel 1979)
 
@@ -97,15 +103,6 @@ def _piled(things: Sequence[Body], high: float, radius: float) -> list[Placement
     return found
 
 
-def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
-    """The turn that lays down what is flat, as a coin is, or more than so many times ``high``er
-    than wide."""
-    x, y, z = thing.sides.tolist()
-    if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
-        return about_x(-math.pi / 2) if y < x else Z_TO_X
-    return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
-
-
 def _lowest(
     thing: Body,
     laid: Float[Tensor, "3 3"],
@@ -137,15 +134,3 @@ def _lowest(
 def square_of(side: float) -> tuple[Float[Tensor, " 2"], Float[Tensor, " 2"]]:
     """The lowest corner and the sides of a square about the origin."""
     return torch.full((2,), -side / 2), torch.full((2,), side)
-
-
-def about_z(angle: float) -> Float[Tensor, "3 3"]:
-    """A rotation about the vertical."""
-    c, s = math.cos(angle), math.sin(angle)
-    return torch.tensor([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def about_x(angle: float) -> Float[Tensor, "3 3"]:
-    """A rotation about the axis from left to right."""
-    c, s = math.cos(angle), math.sin(angle)
-    return torch.tensor([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])

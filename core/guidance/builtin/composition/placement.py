@@ -15,6 +15,7 @@ from core.guidance.builtin.words.slots import Words
 
 EYES = ("eyes", "whites", "glasses", "visor")
 NEAR = 0.03  # training units
+FLAT = 0.6  # times as thick as wide
 LONG = 1.5  # times as long as wide: two stand one behind the other
 # Quarter turns: about the horizontal axes and the vertical.
 Z_TO_BACK = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # -y is in front
@@ -136,6 +137,11 @@ class Body:
         verts[:, :2] = verts[:, :2].clamp(start + low * sides, start + high * sides)
         return replace(self, verts=verts)
 
+    def bare(self, *names: str) -> "Body":
+        """Without the faces of parts of these names."""
+        gone = self.among(*names)[self.faces].any(1)
+        return replace(self, faces=self.faces[~gone])
+
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of parts of these names."""
         return self.verts[self.among(*names)]
@@ -165,3 +171,24 @@ def sized(thing: Body, other: Body, least: float, most: float) -> float:
     seen."""
     wanted = min(max(thing.usual / other.usual, least), most)
     return wanted * other.longest / thing.longest
+
+
+def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
+    """The turn that lays down what is flat, as a coin is, or more than so many times ``high``er
+    than wide."""
+    x, y, z = thing.sides.tolist()
+    if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
+        return about_x(-math.pi / 2) if y < x else Z_TO_X
+    return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
+
+
+def about_z(angle: float) -> Float[Tensor, "3 3"]:
+    """A rotation about the vertical."""
+    c, s = math.cos(angle), math.sin(angle)
+    return torch.tensor([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def about_x(angle: float) -> Float[Tensor, "3 3"]:
+    """A rotation about the axis from left to right."""
+    c, s = math.cos(angle), math.sin(angle)
+    return torch.tensor([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])

@@ -5,7 +5,14 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.init_shape import sample_surface
-from core.guidance.builtin.composition.placement import X_TO_Y, Z_TO_BACK, Body, Placement, sized
+from core.guidance.builtin.composition.placement import (
+    X_TO_Y,
+    Z_TO_BACK,
+    Body,
+    Placement,
+    laid_down,
+    sized,
+)
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.companion_words import (
     CONTAINERS,
@@ -13,6 +20,7 @@ from core.guidance.builtin.words.companion_words import (
     FLOWERS,
     PIERCED,
     POINTED,
+    PUT_DOWN,
 )
 from core.guidance.builtin.words.living import is_animal
 
@@ -39,6 +47,8 @@ WIDEST = 0.7  # of what bears a thing, that it is at most wide
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
 DECKS = {*GROUPS["Vehicles"], "sled"}  # what is in these is on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
+TALL = 1.5  # times as high as wide: what lies down of what is put down
+PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # nothing stands on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
 STONE, STUCK = (0.4, 1.6), 0.3  # of what is stuck: the other's size; how deep
@@ -120,7 +130,7 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return _filling(thing, carrier)
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
-    turn = _levelled(carrier, thing)
+    turn = _lying(thing) @ _levelled(carrier, thing)
     lying = thing.placed(Placement.of(1.0, turn))
     room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
     wide = WIDEST * room / lying.sides[:2].max()
@@ -128,7 +138,13 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         wide = wide / WIDEST
     place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
     borne = thing.placed(place)
-    return place.moved(spot_on(borne, carrier) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
+    ground = carrier.bare(*PLANTED.get(carrier.words.noun, ()))
+    return place.moved(spot_on(borne, ground) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
+
+
+def _lying(thing: Body) -> Float[Tensor, "3 3"]:
+    """The turn of what is put down and does not stand: a sword on a table."""
+    return laid_down(thing, TALL) if thing.words.noun in PUT_DOWN else torch.eye(3)
 
 
 def is_bunch(thing: Body) -> bool:

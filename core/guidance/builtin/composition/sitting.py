@@ -10,9 +10,9 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.union import Region
-from core.guidance.builtin.composition.copies import about_x, about_z, copies_of
+from core.guidance.builtin.composition.copies import copies_of
 from core.guidance.builtin.composition.legs import HIP, Legs, legs_of
-from core.guidance.builtin.composition.placement import Body, Placement, joined
+from core.guidance.builtin.composition.placement import Body, Placement, about_x, about_z, joined
 from core.guidance.builtin.composition.posing import Bone, Distances, Pose, Posed, joint
 from core.guidance.builtin.composition.resting import LYING, MOUNTS
 from core.guidance.builtin.composition.seats import (

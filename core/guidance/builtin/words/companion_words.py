@@ -41,6 +41,16 @@ PIERCED = frozenset(
 POINTED = frozenset(
     "sword katana dagger knife axe pickaxe spear halberd arrow trident fork shovel saw".split()
 )
+# These lie on a table.
+PUT_DOWN = (
+    POINTED
+    | frozenset(
+        """spoon hammer wrench screwdriver paintbrush pencil pen whisk spatula key feather
+    toothbrush hairbrush scissors pliers mace scythe staff pistol revolver rifle shotgun bow arrow flute saw
+    umbrella""".split()
+    )
+    | {"magic wand", "war hammer", "baseball bat", "rolling pin", "magnifying glass", "ray gun"}
+)
 # One sits in them as on a bench.
 SEATS = frozenset(
     """chair armchair throne sofa bed beanbag wheelchair hammock saddle swing""".split()
