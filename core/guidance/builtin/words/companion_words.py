@@ -46,8 +46,8 @@ PUT_DOWN = (
     POINTED
     | frozenset(
         """spoon hammer wrench screwdriver paintbrush pencil pen whisk spatula key feather
-    toothbrush hairbrush scissors pliers mace scythe staff pistol revolver rifle shotgun bow arrow flute saw
-    umbrella""".split()
+    toothbrush hairbrush scissors pliers mace scythe staff pistol revolver rifle shotgun bow arrow
+    flute saw umbrella""".split()
     )
     | {"magic wand", "war hammer", "baseball bat", "rolling pin", "magnifying glass", "ray gun"}
 )
