@@ -53,7 +53,8 @@ _CLAUSE = re.compile(
     re.IGNORECASE,
 )
 _END = re.compile(
-    r" (?:that|which|who|while|made|for|wearing|holding|from|in (?=an? |the )|on (?=an? [^,]*$))",
+    r",?(?: and)? (?:no|not|without|that|which|who|while|made|for|wearing|holding|from|"
+    r"in (?=an? |the )|on (?=an? [^,]*$))",
     re.IGNORECASE,
 )
 _ITEM = (
@@ -182,7 +183,7 @@ def _placed(before: str, clause: re.Match[str], first: str, is_own: IsOwn) -> li
     found = []
     for k, part in enumerate(parts):
         whole = _as_meant(first, part.phrase, text)
-        is_one = _names(whole, bare=bool(k) or way == ":")
+        is_one = _names(whole, bare=way == ":" or (k > 0 and first in TOPS))
         place: Place = "" if is_own(whole, first) else place_of(first, whole, is_one)
         if full:
             place = "in"
