@@ -78,64 +78,49 @@ def sock(draw: Draw) -> Parts:
 
 
 def towel(draw: Draw) -> Parts:
-    """Three folded towels, their folds to the front, a rolled one on them; bands across them."""
-    x, y, half = draw(0.98, 1.08), draw(0.64, 0.74), draw(0.25, 0.27)
-    r, short, inner = draw(0.36, 0.42), draw(0.78, 0.88), half - 0.17
-    turns = [math.radians(90 - 22.5 * k) for k in range(9)]
+    """Three rolled towels as a pyramid, striped around near their front ends."""
+    r, long = draw(0.5, 0.54), draw(0.94, 1.0)
+    x, top = r * 0.98, r * 2.7
+    middles = ((-x, r), (x, r), (0.0, top))
 
-    def fold(out: float) -> list[tuple[float, float]]:
-        """Round to the front, ``out`` larger than a towel, seen from its end."""
-        size = half + out
-        return [(half - y - size * math.cos(a), size * math.sin(a)) for a in turns]
+    def rolled(u: float, z: float, radius: float, out: float, rounding: float) -> Solid:
+        return tube((u, -long - out, z), (u, long + out, z), radius, rounding)
 
-    gap = [(y, -inner), (half - y, -inner), (half - y, inner), (y, inner)]
-    sheet = [(y, half), *fold(0), (y, -half), *gap]
-    stripe = [(half - y + 0.3, half + 0.07), *fold(0.07), (half - y + 0.3, -half - 0.07)]
-    towels, folds, bands = [], [], []
-    for k in range(3):
-        at = (0.0, 0.0, half + k * (2 * half - 0.05))
-        towels.append(moved(prism(sheet, 0, x - 0.06 * (k % 2)), at))
-        folds.append(moved(box((0, 0.02, 0), (x - 0.14, y - 0.1, inner + 0.06)), at))
-        bands.append(moved(both(prism(stripe, 0, 0.13, x * 0.62)), at))
-    z = 6 * half - 0.16 + r
     return {
-        "towels": join(*towels),
-        "folds": join(
-            *folds, tube((0.1 - short - 0.2, 0, z), (short + 0.08, 0, z), r * 0.62, 0.02)
-        ),
+        "towels": both(rolled(x, r, r, 0, 0.1)),
+        "folds": join(*(rolled(u, z, r * 0.45, 0.07, 0.03) for u, z in middles)),
         "bands": join(
-            *bands, both(tube((short * 0.44, 0, z), (short * 0.74, 0, z), r + 0.07, 0.02))
+            *(
+                tube((u, v - 0.07, z), (u, v + 0.07, z), r + 0.05, 0.02)
+                for u, z in middles
+                for v in (0.26 - long, 0.52 - long)
+            )
         ),
-        "roll": join(
-            tube((-short, 0, z), (short, 0, z), r, 0.04),
-            box((0, -r * 0.8, z - r + 0.09), (short - 0.02, 0.24, 0.1), 0.05),
-            tube((-short - 0.17, 0, z), (short + 0.17, 0, z), r * 0.3, 0.02),
-        ),
+        "roll": rolled(0, top, r, 0, 0.1),
     }
 
 
 def toilet_paper(draw: Draw) -> Parts:
-    """A roll on its end, the last sheets off it to the right; the tube within."""
-    r, high, core = draw(0.72, 0.84), draw(1.2, 1.45), draw(0.26, 0.31)
-    off = r + draw(0.4, 0.6)
-    hole = tube((0, 0, high - 0.34), (0, 0, high + 1), core - 0.02)
-    dots = []
-    for k, turn in enumerate((-150, -120, -60, -30, 0, 30, 60)):
-        a = math.radians(turn)
-        for v in (0.3, 0.7):
-            z = high * (v + (0.1 if k % 2 else -0.1))
-            dots.append(ball((math.cos(a) * (r - 0.08), math.sin(a) * (r - 0.08), z), 0.12))
+    """A plump roll on its side, its last sheets down its front and out on the ground."""
+    r, half, core = draw(0.82, 0.88), draw(0.74, 0.82), draw(0.32, 0.35)
+    out, thick, bend = draw(0.48, 0.54), 0.07, 0.24
+    y, floor, wide = -r - 0.03, bend + thick, half - 0.04
+    turns = [math.radians(-15 * k) for k in range(7)]
+    path = [(-0.78 * r, r * 1.5, 0.88, 0.48), (y, r * 1.04, 1.0, 0.06)]
+    path += [(y - bend * (1 - math.cos(a)), floor + bend * math.sin(a), math.cos(a), math.sin(a))
+             for a in turns]  # fmt: skip
+    path.append((y - bend - out, thick, 0.0, -1.0))
+    back, front = ([(a + s * c, b + s * d) for a, b, c, d in path] for s in (thick, -thick))
+    hole = tube((-2, 0, r), (2, 0, r), core - 0.06)
+    xs, far = (-wide * 0.58, 0.0, wide * 0.58), y - bend - out * 0.5
     return {
-        "roll": cut(tube((0, 0, 0), (0, 0, high), r, 0.06), hole),
-        "sheet": box((off / 2, -r + 0.05, high / 2), (off / 2, 0.1, high / 2 - 0.01), 0.03),
-        "core": cut(
-            tube((0, 0, high - 0.36), (0, 0, high + 0.03), core + 0.09, 0.02),
-            tube((0, 0, high - 0.3), (0, 0, high + 1), core - 0.06),
-        ),
-        "line": box((r * 0.86, -r + 0.05, high / 2), (0.06, 0.135, high / 2 - 0.03), 0.02),
+        "roll": cut(tube((-half, 0, r), (half, 0, r), r, 0.16), hole),
+        "sheet": prism(back + front[::-1], 0, wide),
+        "core": cut(tube((-half - 0.07, 0, r), (half + 0.07, 0, r), core + 0.08, 0.02), hole),
+        "line": box((0, y - thick, floor + 0.04), (wide + 0.04, 0.06, 0.06), 0.02),
         "dots": join(
-            *dots,
-            *(ball((v, -r + 0.03, high * w), 0.12) for v, w in ((r * 0.3, 0.3), (r * 0.3, 0.7))),
+            *(tube((v, y - thick - 0.06, r * 0.86), (v, y, r * 0.86), 0.14) for v in xs),
+            *(tube((v, far, thick), (v, far, 2 * thick + 0.06), 0.14) for v in xs),
         ),
     }
 
@@ -264,43 +249,45 @@ def rope(draw: Draw) -> Parts:
 
 def drinking_horn(draw: Draw) -> Parts:
     """A curved horn on a stand, wide and full at the right, its tip up at the left."""
-    mouth, tip, rise = draw(0.42, 0.5), draw(0.11, 0.14), draw(0.3, 0.6)
-    bend = draw(1.0, 1.1)
-    stops = []
-    for k in range(11):
-        t = k / 10
-        # From the mouth at the right by a bow to the tip.
-        a = math.radians(10 - 150 * t)
-        stops.append(((bend * math.cos(a) - 0.1, 0.0, 1.5 + bend * math.sin(a) + rise * t * t),
-                      mouth + (tip - mouth) * t ** 0.8))  # fmt: skip
-    (x, _, z), r = stops[0]
-    flat = box((x, 0, z + 1.12), (2, 2, 1))
-    lip = moved(turned(tube((0, 0, -0.1), (0, 0, 0.12), r + 0.06, 0.04), 1, -8), (x, 0, z + 0.05))
-    bubbles = [ball((x + a, b, z + 0.26), 0.15) for a, b in ((-0.16, -0.12), (0.15, 0.05))]
-    foam = moved(egg((0, 0, 0.1), (r - 0.05, r - 0.05, 0.2)), (x, 0, z + 0.05))
+    mouth, tip, far = draw(0.44, 0.5), draw(0.1, 0.12), draw(1.2, 1.35)
+    near, turns, middle, up = 0.84, (6.0, -158.0), (-0.06, 1.62), 0.16
 
-    def hoop(at: int, out: float) -> Solid:
-        (a, _, b), thick = stops[at]
-        (c, _, d), _ = stops[at + 1]
-        half = math.hypot(c - a, d - b) * 1.4
-        way = ((c - a) / half * 0.14, (d - b) / half * 0.14)
-        return tube((a - way[0], 0, b - way[1]), (a + way[0], 0, b + way[1]), thick + out, 0.02)
+    def place(share: float) -> tuple[float, float, float]:
+        a = math.radians(turns[0] + (turns[1] - turns[0]) * share)
+        out = near + (far - near) * share
+        return (middle[0] + out * math.cos(a), middle[1] + out * math.sin(a), a)
 
-    (end, _, top), _ = stops[-1]
-    low = stops[5][0][2]
-    middle = stops[5][0][0]
+    def piece(shares: list[float], out: float) -> Solid:
+        """The horn through these shares of its length, ``out`` thicker."""
+        places = ((place(share), mouth + (tip - mouth) * share + out) for share in shares)
+        return chain(((x, 0, z), r) for (x, z, _), r in places)
+
+    def hoop(share: float) -> Solid:
+        """A band about the horn."""
+        x, z, a = place(share)
+        r, half = mouth + (tip - mouth) * share + 0.06, 0.09
+        way = (-math.sin(a) * half, math.cos(a) * half)
+        return tube((x - way[0], 0, z - way[1]), (x + way[0], 0, z + way[1]), r, 0.03)
+
+    x, z, _ = place(0)
+    low, bottom, _ = place(0.46)
+    end = place(1)
+    rim = tube((x, 0, z + up - 0.14), (x, 0, z + up + 0.1), mouth + 0.07, 0.04)
+    bubbles = [ball((x + a, b, z + up + 0.24), 0.17) for a, b in ((-0.17, -0.12), (0.17, 0.06))]
     return {
-        "horn": cut(chain(stops), flat),
-        "rim": join(lip, hoop(3, 0.05)),
-        "foam": join(foam, *bubbles),
-        "tip": join(chain([stops[9], ((end - 0.04, 0.0, top + 0.16), 0.08)]), hoop(8, 0.05)),
-        "strap": hoop(5, 0.06),
-        "stand": join(
-            box((middle, 0, 0.09), (0.62, 0.42, 0.09), 0.03),
-            box((middle, 0, low * 0.5 - 0.05), (0.13, 0.13, low * 0.5), 0.03),
-            both(taper((0, 0.3, 0.14), (0, 0.26, low - 0.1), 0.11, 0.1), 1),
+        "horn": cut(
+            join(piece([k / 15 for k in range(16)], 0), tube((x, 0, z), (x, 0, z + up), mouth)),
+            box((x, 0, z + up + 1), (1, 1, 1)),
         ),
-    }  # fmt: skip
+        "rim": join(rim, hoop(0.3)),
+        "foam": join(egg((x, 0, z + up + 0.06), (mouth - 0.04, mouth - 0.04, 0.24)), *bubbles),
+        "tip": join(piece([0.84, 0.92, 1], 0.045), ball((end[0], 0, end[1]), tip + 0.08)),
+        "strap": hoop(0.62),
+        "stand": join(
+            box((low, 0, 0.1), (0.62, 0.44, 0.1), 0.04),
+            box((low, 0, bottom / 2), (0.16, 0.26, bottom / 2), 0.04),
+        ),
+    }
 
 
 EVERYDAY = {

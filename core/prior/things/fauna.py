@@ -314,71 +314,50 @@ def griffin(draw: Draw) -> Parts:
 
 def minotaur(draw: Draw) -> Parts:
     """A bull's head with great horns on a mighty man with hooves; a double axe."""
-    wide, leg, head = draw(0.58, 0.66), draw(0.62, 0.74), draw(0.4, 0.45)
-    top = leg + draw(0.72, 0.84)
-    z, y = top + 0.3, -0.22
-    hand = (wide + 0.44, -0.3, leg + 0.26)
-    arm = chain(
-        [
-            ((wide * 0.92, 0, top - 0.18), 0.27),
-            ((wide + 0.34, 0.06, leg + 0.46), 0.21),
-            (hand, 0.19),
-        ]
-    )
-    shank = chain(
-        [
-            ((wide * 0.5, 0, leg + 0.06), 0.28),
-            ((wide * 0.58, -0.06, leg * 0.5), 0.21),
-            ((wide * 0.56, 0.04, 0.26), 0.15),
-        ]
-    )
+    wide, leg, head = draw(0.62, 0.67), draw(0.64, 0.7), draw(0.44, 0.47)
+    top = leg + draw(0.76, 0.82)
+    z, y = top + 0.26, -0.2
+    face, mouth = y - head - 0.1, z - 0.24
+    x, front, hold = wide + 0.4, -0.36, leg + 0.2
+    arm = taper((wide * 0.98, 0, top - 0.2), (x, front, hold), 0.28, 0.2)
+    shank = taper((wide * 0.5, 0, leg), (wide * 0.56, 0, 0.2), 0.3, 0.2)
     horn = [
-        ((head * 0.7, y, z + head * 0.5), 0.17),
-        ((head * 1.7, y - 0.02, z + head * 0.6), 0.15),
-        ((head * 1.95, y - 0.1, z + head * 1.5), 0.085),
+        ((head * 0.7, y, z + head * 0.56), 0.17),
+        ((head * 1.6, y, z + head * 0.66), 0.15),
+        ((head * 1.95, y - 0.06, z + head * 1.1), 0.12),
+        ((head * 1.95, y - 0.12, z + head * 1.6), 0.07),
     ]
-    (x, front, _), mid, face = hand, leg + 0.96, y - head - 0.1
-    blade = [
-        (x, mid + 0.1),
-        (x + 0.34, mid + 0.34),
-        (x + 0.44, mid),
-        (x + 0.34, mid - 0.34),
-        (x, mid - 0.1),
-    ]
+    mid = leg + 0.92
+    blade = [(x, mid + 0.12), (x + 0.36, mid + 0.38), (x + 0.46, mid), (x + 0.36, mid - 0.38)]
+    blade += [(x, mid - 0.12)]
     halves = (blade, [(2 * x - a, b) for a, b in blade])
-    chest = both(egg((wide * 0.42, -0.08, top - 0.3), (wide * 0.6, 0.4, 0.34)))
-    flap = prism(
-        [(-0.26, leg + 0.1), (0.26, leg + 0.1), (0.22, leg - 0.36), (-0.22, leg - 0.36)],
-        1,
-        0.1,
-        0.42,
-    )
-    mane = egg((0, 0.16, top + 0.06), (wide * 0.72, 0.4, 0.34))
+    flap = [(-0.3, leg + 0.1), (0.3, leg + 0.1), (0.24, leg - 0.36), (-0.24, leg - 0.36)]
     return {
         "body": join(
-            blend(0.1, chest, lathe([(0.36, leg), (0.42, leg + 0.4)], 0.04)),
+            taper((0, 0, top - 0.26), (0, 0, leg + 0.06), 0.44, 0.36),
+            both(egg((wide * 0.46, -0.12, top - 0.28), (wide * 0.54, 0.38, 0.32))),
             both(arm),
-            egg((0, face, z - 0.26), (0.27, 0.17, 0.2)),
+            both(ball((x, front, hold), 0.24)),
         ),
         "fur": join(
-            taper((0, y, z), (0, face + 0.06, z - 0.22), head * 0.96, 0.25),
-            both(taper((head * 0.8, y + 0.06, z + 0.06), (head * 1.55, y, z - 0.06), 0.14, 0.09)),
-            mane,
+            ball((0, y, z), head),
+            both(taper((head * 0.8, y + 0.06, z), (head * 1.55, y, z - 0.12), 0.14, 0.1)),
+            egg((0, 0.2, top), (wide * 0.76, 0.36, 0.36)),
             both(shank),
+            both(ball((0.15, face - 0.17, mouth + 0.08), 0.09)),
         ),
         "horns": join(
-            both(chain(horn)), both(lathe([(0.24, 0), (0.18, 0.24)], 0.02, (wide * 0.56, 0.0)))
+            both(chain(horn)),
+            both(lathe([(0.27, 0), (0.22, 0.24)], 0.02, (wide * 0.56, 0.0))),
+            egg((0, face + 0.06, mouth), (0.35, 0.28, 0.26)),
         ),
         "loincloth": join(
-            tube((0, 0, leg + 0.02), (0, 0, leg + 0.22), 0.48, 0.03),
-            both(flap, 1),
-            tube((x, front, 0.1), (x, front, mid + 0.36), 0.09),
+            tube((0, 0, leg - 0.04), (0, 0, leg + 0.2), 0.5, 0.03),
+            both(prism(flap, 1, 0.1, 0.44), 1),
+            tube((x, front, 0.1), (x, front, mid + 0.44), 0.09),
         ),
-        "axe": join(*(prism(half, 1, 0.09, front) for half in halves)),
-        "eyes": join(
-            eyes(head * 0.62, y - head * 0.72, z + 0.1, 0.1),
-            both(ball((0.13, face - 0.12, z - 0.2), 0.08)),
-        ),
+        "axe": join(*(prism(half, 1, 0.1, front) for half in halves)),
+        "eyes": both(ball((head * 0.46, y - head * 0.78, z + head * 0.36), 0.13)),
     }
 
 

@@ -1,7 +1,5 @@
 """What one plays with, in the hand, on a table and at a machine; a bow, a flashlight."""
 
-import math
-
 import torch
 from torch import Tensor
 
@@ -17,7 +15,6 @@ from core.prior.solids import (
     chain,
     cut,
     egg,
-    grown,
     join,
     lathe,
     limb,
@@ -30,7 +27,6 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
-    within,
 )
 
 Point = tuple[float, float]
@@ -169,25 +165,31 @@ def slingshot(draw: Draw) -> Parts:
 
 
 def boomerang(draw: Draw) -> Parts:
-    """Upright on its tips, bent in the middle; bands across its arms."""
-    x, high, wide = draw(1.0, 1.28), draw(1.0, 1.95), draw(0.25, 0.32)
-    bend, end, flat = draw(0.78, 0.95), draw(0.62, 0.85), box((0, 0, 1), (3, 0.12, 3))
-    line = smooth_curve([(0.0, high), (x * 0.36, high * bend), (x * 0.75, high * 0.42), (x, 0.3)])
-    last = len(line) - 1
-    arms = both(chain(((u, 0.0, v), wide * (1 + (end - 1) * k / last))
-                      for k, (u, v) in enumerate(line)))  # fmt: skip
-    coat = within(grown(arms, 0.04), box((0, 0, 1), (3, 0.16, 3)))
+    """Upright on its tips, a smooth flat wing bent in the middle, its bands wholly around it."""
+    x, high, wide, flat = draw(1.34, 1.42), draw(1.24, 1.34), draw(0.31, 0.34), 0.4
+    end, bend = wide * 0.78, draw(0.32, 0.38)
+    stops = smooth_curve([(0.0, high), (bend, high - 0.12), (x * 0.6, high * 0.56), (x, end)], 3)
+    wing = [((u, 0.0, v), wide + (end - wide) * u / x) for u, v in stops]
+    ((a, _, b), first), ((c, _, d), last) = wing[-4], wing[-1]
 
-    def band(k: int, half: float) -> Solid:
-        (a, b), (c, d) = line[k - 1], line[k + 1]
-        across = turned(box((0, 0, 0), (half, 1, 0.5)), 1, math.degrees(math.atan2(b - d, c - a)))
-        return within(coat, both(moved(across, (line[k][0], 0, line[k][1]))))
+    def flattened(solid: Solid) -> Solid:
+        """``solid``, thinner from front to back."""
+        return lambda p: solid(p * p.new_tensor([1, 1 / flat, 1])) * flat
 
+    def at(s: float) -> tuple[float, float, float]:
+        return (a + (c - a) * s, 0.0, b + (d - b) * s)
+
+    def band(s: float) -> Solid:
+        """About the straight end of an arm, at ``s`` of it."""
+        wider = first + (last - first) * s + 0.08
+        return both(flattened(tube(at(s - 0.1), at(s + 0.1), wider, 0.03)))
+
+    dot = (high - 0.03, wide * flat + 0.06)
     return {
-        "body": within(arms, flat),
-        "bands": join(band(4, 0.11), band(last - 2, 0.11)),
-        "stripes": band(last - 4, 0.1),
-        "dot": tube((0, -0.17, high), (0, 0.17, high), 0.17, 0.02),
+        "body": both(flattened(chain(wing))),
+        "bands": join(band(0.0), band(0.72)),
+        "stripes": band(0.36),
+        "dot": tube((0, -dot[1], dot[0]), (0, dot[1], dot[0]), 0.19, 0.03),
     }
 
 

@@ -19,12 +19,10 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
-    limb,
     moved,
     prism,
     ring,
     smooth_curve,
-    taper,
     tilted,
     tube,
     turned,
@@ -61,49 +59,53 @@ def _surface(solid: Solid, start: Vector, way: Vector) -> float:
 
 
 def cucumber(draw: Draw) -> Parts:
-    """Long and straight, pale stripes along it; a thick slice stands before it."""
-    long, r = draw(1.05, 1.15), draw(0.33, 0.38)
-    big, y, thick = r + 0.1, 0.3, 0.13
-    front, at = y - r - thick + 0.03, draw(-0.12, 0.04)
-    stripes = [(y - math.cos(a) * (r - 0.03), r + math.sin(a) * (r - 0.03))
-               for a in map(math.radians, (5, 60, 115))]  # fmt: skip
-    seed = egg((big * 0.5, 0, 0), (0.1, 0.062, 0.11))
+    """It lies, one end cut off, pale stripes along it; a thick slice leans on its front."""
+    long, r = draw(1.24, 1.32), draw(0.42, 0.45)
+    big, x, end = r + 0.04, draw(-0.3, -0.2), draw(0.96, 1.02)
+    at = (x, -r - 0.2, big - 0.04)
+    stripes = [(-math.cos(a) * (r - 0.05), r + math.sin(a) * (r - 0.05))
+               for a in map(math.radians, (15, 70, 125))]  # fmt: skip
+    seed = egg((0.21, 0, 0.04), (0.115, 0.07, 0.09))
 
-    def disc(radius: float, out: float) -> Solid:
-        return tube((at, front - thick - out, big), (at, front + thick, big), radius, 0.02)
+    def faces(solid: Solid) -> Solid:
+        """``solid``, of a face that looks up, at the end and on the slice."""
+        return join(moved(turned(solid, 0, 72), at), moved(turned(solid, 1, 90), (end, 0, r)))
 
     return {
-        "rind": join(capsule((-long + r, y, r), (long - r, y, r), r), disc(big, 0)),
-        "stripes": join(*(capsule((-long + r, v, w), (long - r, v, w), 0.09) for v, w in stripes)),
-        "flesh": disc(big - 0.1, 0.06),
-        "seeds": moved(turned(around(5, seed, 90), 0, 90), (at, front - thick - 0.05, big)),
-        "stem": tube((long - 0.1, y, r), (long + 0.2, y, r), 0.13, 0.03),
-    }
+        "rind": join(
+            capsule((-long + r, 0, r), (end - r, 0, r), r),
+            tube((end - r, 0, r), (end, 0, r), r),
+            moved(turned(tube((0, 0, -0.26), (0, 0, 0), big, 0.02), 0, 72), at),
+        ),
+        "stripes": join(*(capsule((-long + r, v, w), (end - 0.22, v, w), 0.12)
+                          for v, w in stripes)),
+        "flesh": faces(tube((0, 0, -0.1), (0, 0, 0.06), r - 0.07)),
+        "seeds": faces(around(5, seed, 90)),
+        "stem": tube((-long - 0.1, 0, r), (-long + 0.1, 0, r), 0.11, 0.04),
+    }  # fmt: skip
 
 
 def lettuce(draw: Draw) -> Parts:
-    """A round head hugged by leaves, others open about it with wavy rims and pale ribs."""
-    r, out, lean, size = draw(0.62, 0.7), draw(0.02, 0.12), draw(26, 38), draw(0.56, 0.66)
-    z, low = 0.86, 0.56
+    """A round heart in a ring of leaves and one of open ones of three lobes, with pale ribs."""
+    r, lean, size = draw(0.5, 0.53), draw(28, 31), draw(0.64, 0.68)
+    wide = size * 0.7
+    hollow = egg((-0.2, 0, 0.06), (0.32, wide - 0.04, size))
+    lobe = cut(egg((0, 0, 0), (0.32, wide, size)), hollow)
+    leaf = join(lobe, both(turned(lobe, 0, -44), 1))
 
-    def opened(solid: Solid) -> Solid:
-        return moved(turned(solid, 1, lean), (r + out, 0, low))
+    def put(solid: Solid, first: float, degrees: float, out: float, z: float) -> Solid:
+        return around(5, moved(turned(solid, 1, degrees), (out, 0, z)), first)
 
-    cup = within(ball((0.05, 0, z), r + 0.06), ball((r + 0.16, 0, z - 0.2), r * 1.02))
-    edge = [(0.08, 0.0, 1.02), (-0.07, 0.3, 0.96), (0.09, 0.56, 0.8), (-0.07, 0.76, 0.56),
-            (0.09, 0.86, 0.28), (-0.03, 0.87, 0.02), (0.02, 0.8, -0.28)]  # fmt: skip
-    frill = both(limb([(w, u * size, v * size) for w, u, v in edge], 0.11, 0.09), 1)
-    rib = taper((0.07, 0, -size * 0.8), (0.08, 0, size * 0.55), 0.14, 0.08)
     return {
-        "head": ball((0, 0, z), r),
+        "head": egg((0, 0, 0.94), (r, r, r)),
         "leaves": join(
-            egg((0, 0, low + 0.04), (r + out + 0.13, r + out + 0.13, 0.56)),
-            around(5, cup, 36), around(5, opened(egg((0, 0, 0), (0.13, size * 0.86, size))))
+            put(leaf, 18, lean, 0.7, 0.62),
+            egg((0, 0, 0.5), (0.56, 0.56, 0.38)),
         ),
-        "frills": around(5, opened(frill)),
-        "ribs": around(5, opened(rib)),
-        "stalk": tube((0, 0, 0), (0, 0, 0.3), 0.34, 0.06),
-    }  # fmt: skip
+        "frills": put(egg((0, 0, 0), (0.26, 0.46, 0.54)), 54, 18, 0.46, 0.8),
+        "ribs": put(egg((0.22, 0, 0.1), (0.14, 0.11, 0.38)), 18, lean, 0.7, 0.62),
+        "stalk": tube((0, 0, 0), (0, 0, 0.3), 0.32, 0.06),
+    }
 
 
 def ramen(draw: Draw) -> Parts:

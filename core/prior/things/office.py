@@ -113,31 +113,29 @@ def harp(draw: Draw) -> Parts:
 
 def accordion(draw: Draw) -> Parts:
     """Its bellows between two cases, keys on the left of the picture and buttons on the right."""
-    y, high, case = draw(0.4, 0.46), draw(0.92, 1.04), draw(0.25, 0.3)
-    count, pitch = 5, draw(0.23, 0.25)
+    y, high, case = draw(0.42, 0.46), draw(0.94, 1.02), draw(0.3, 0.33)
+    count, pitch = 4, draw(0.28, 0.3)
     inner = count * pitch / 2
-    x = inner + case
-    z = high
-    folds = [box((pitch * (k - 2), 0, z), (0.065, y, high * 0.94), 0.01) for k in range(count)]
+    right, left = inner + case / 2, -inner - 0.4
+    folds = [box((pitch * (k - 1.5), 0, high), (0.085, y, high * 0.92), 0.02) for k in range(count)]
     keys = [
-        box((-x - 0.12, -y * 0.5, z + high * v), (0.19, 0.2, high * 0.085), 0.02)
-        for v in (-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75)
+        box((left - 0.17, -y - 0.03, high * (1 + v)), (0.32, 0.15, high * 0.12), 0.03)
+        for v in (-0.68, -0.34, 0.0, 0.34, 0.68)
     ]
     buttons = [
-        tube((inner + case / 2, -y - 0.1, z + high * v), (inner + case / 2, 0, z + high * v), 0.09)
-        for v in (-0.7, -0.42, -0.14, 0.14, 0.42, 0.7)
+        tube((right, -y - 0.11, high * (1 + v)), (right, 0, high * (1 + v)), 0.1)
+        for v in (-0.68, -0.34, 0.0, 0.34, 0.68)
     ]
-    end = inner + case / 2 - 0.02
     return {
         "body": join(
-            both(box((end, 0, z), (case / 2 + 0.02, y + 0.02, high), 0.05)),
-            box((-x - 0.08, 0, z), (0.16, y * 0.7, high * 0.9), 0.03),
+            box((right, 0, high), (case / 2 + 0.02, y + 0.03, high), 0.06),
+            box((left, 0, high), (0.42, y + 0.03, high), 0.06),
         ),
-        "bellows": box((0, 0, z), (inner + 0.02, y - 0.08, high * 0.94 - 0.08)),
+        "bellows": box((0, 0, high), (inner + 0.04, y - 0.12, high * 0.92 - 0.12)),
         "folds": join(*folds),
         "keys": join(*keys),
         "buttons": join(*buttons),
-        "grille": box((-end + 0.02, -y, z), (case * 0.3, 0.07, high * 0.72), 0.02),
+        "grille": box((-inner - 0.13, -y - 0.03, high), (0.08, 0.08, high * 0.8), 0.02),
     }
 
 

@@ -143,41 +143,41 @@ def soccer_goal(draw: Draw) -> Parts:
 
 def dartboard(draw: Draw) -> Parts:
     """A disc that faces the front: light and dark sectors, red and green rings, three darts."""
-    r, deep, count = draw(1.06, 1.14), draw(0.16, 0.2), 16
-    double, treble, bull = r * 0.84, r * draw(0.47, 0.52), draw(0.13, 0.15)
-    layout, step = draw.arranged(3), math.pi / count
+    r, deep, count = draw(1.06, 1.14), draw(0.2, 0.24), 16
+    double, treble, bull = r * 0.8, r * draw(0.48, 0.5), 0.13
+    step = math.pi / count
+    wedge = [(0.0, 0.0), (2.0, 2 * math.tan(step)), (2.0, -2 * math.tan(step))]
 
-    def fan(inner: float, outer: float, top: float, first: float) -> Solid:
-        """Every other sector of a ring."""
-        wedge = [(0.0, 0.0), (2.0, 2 * math.tan(step)), (2.0, -2 * math.tan(step))]
-        sectors = within(
-            tube((0, 0, 0.08), (0, 0, top), outer), around(count // 2, _flat(wedge), first)
-        )
-        return cut(sectors, tube((0, 0, -1), (0, 0, 2), inner))
+    def disc(radius: float, top: float) -> Solid:
+        return tube((0, 0, 0.08), (0, 0, top), radius)
+
+    def band(middle: float, half: float, top: float) -> Solid:
+        return cut(disc(middle + half, top), tube((0, 0, -1), (0, 0, 2), middle - half))
 
     def facing(solid: Solid) -> Solid:
         return tilted(solid, 90, (0, 0, r))
 
-    turn, up = 360 / count, deep + 0.055
-    bands = ((double - 0.065, double + 0.065), (treble - 0.06, treble + 0.06))
-    reds = [fan(a, b, up + 0.04, 0) for a, b in bands]
-    greens = [fan(a, b, up + 0.04, turn) for a, b in bands]
-    darts, flights = [], []
-    for k in range(2):
-        a, out = math.tau * (k + layout(0.05, 0.4)) / 2, layout(0.2, 0.6) * r
-        x, y = out * math.cos(a), out * math.sin(a)
-        end = (x * 1.06, y * 1.06 + 0.1, deep + 0.7)
-        darts.append(taper((x, y, deep), end, 0.1, 0.075))
-        vane = join(box((0, 0, 0), (0.17, 0.065, 0.15)), box((0, 0, 0), (0.065, 0.17, 0.15)))
-        flights.append(moved(vane, end))
-    outer = [(r, 0.0), (r, deep + 0.03), (r - 0.09, deep + 0.06), (r - 0.13, deep)]
+    def thrown(solid: Solid, x: float, y: float, aside: float) -> Solid:
+        """``solid``, which stands on z = 0, with its end up and aside."""
+        return moved(turned(turned(solid, 0, -16), 1, aside), (x * r, y * r, deep))
+
+    up = deep + 0.055
+    fin = mirrored([(0.05, 0.7), (0.21, 0.84), (0.21, 1.12), (0.05, 1.06)])
+    flight = join(prism(fin, 1, 0.05), prism(fin, 0, 0.05))
+    dart = join(
+        taper((0, 0, 0), (0, 0, 0.42), 0.055, 0.09), capsule((0, 0, 0), (0, 0, 0.95), 0.055)
+    )
+    hits = ((-0.42, 0.34, -16), (0.5, 0.16, 16), (-0.1, -0.5, -6))
+    outer = [(r, 0.0), (r, deep + 0.1), (r - 0.12, deep + 0.1), (r - 0.12, deep)]
     return {
         "board": facing(lathe(outer)),
-        "sectors": facing(fan(bull, double, up, turn)),
-        "reds": facing(join(*reds, tube((0, 0, 0.08), (0, 0, up + 0.08), bull * 0.62))),
-        "greens": facing(join(*greens, tube((0, 0, 0.08), (0, 0, up + 0.04), bull + 0.085))),
-        "darts": facing(join(*darts)),
-        "flights": facing(join(*flights)),
+        "sectors": facing(
+            cut(within(disc(double, up), around(count // 2, _flat(wedge))), disc(bull, 1))
+        ),
+        "reds": facing(join(band(double, 0.065, up + 0.04), disc(bull * 0.8, up + 0.08))),
+        "greens": facing(join(band(treble, 0.065, up + 0.04), disc(bull + 0.1, up + 0.02))),
+        "darts": facing(join(*(thrown(dart, *hit) for hit in hits))),
+        "flights": facing(join(*(thrown(flight, *hit) for hit in hits))),
     }
 
 

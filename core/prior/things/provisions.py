@@ -29,55 +29,62 @@ from core.prior.solids import (
     within,
 )
 
+_QUARTER = [k * math.pi / 12 for k in range(7)]
+
 
 def jacket(draw: Draw) -> Parts:
     """As if worn by someone unseen: zipped half way over a shirt, lapels or a hood, pockets."""
-    wide, high, y, soft = draw(0.48, 0.54), draw(1.45, 1.6), draw(0.3, 0.34), 0.2
-    hood, low = draw.chance(0.35), draw(0.42, 0.5) * high
-    half = [(0, 0), (wide, 0), (wide - 0.02, high * 0.4), (wide + 0.03, high - 0.3)]
-    half += [(wide - 0.06, high - 0.13), (0.2, high), (0, high)]
+    wide, high, y, soft = draw(0.5, 0.54), draw(1.42, 1.52), draw(0.31, 0.34), 0.2
+    hood, low = draw.chance(0.35), draw(0.58, 0.61) * high
+    half = [(0, 0.02), (wide, 0.02), (wide, high - 0.32), (wide - 0.1, high - 0.14), (0.2, high)]
+    half += [(0, high)]
     trunk = [(max(u - soft, 0.0), min(max(v, soft), high - soft)) for u, v in half]
-    shoulder, elbow = (wide - 0.12, 0, high - 0.26), (wide + 0.32, 0.03, high * 0.54)
-    wrist = (wide + draw(0.46, 0.54), -0.08, high * draw(0.2, 0.26))
-    last, start, end = (
-        tuple(e + (w - e) * t for e, w in zip(elbow, wrist, strict=True)) for t in (0.8, 0.75, 1.2)
+    shoulder, wrist = (wide - 0.1, 0, high - 0.28), (wide + draw(0.46, 0.52), -0.06, high * 0.24)
+    start, end = (
+        tuple(s + (w - s) * t for s, w in zip(shoulder, wrist, strict=True)) for t in (0.9, 1.12)
     )
-    arm = limb([shoulder, elbow, last], 0.23, 0.18)
-    neck = egg((0, -0.04, high + 0.08), (0.22, 0.2, 0.3))
-    lapel = [(0.02, low), (0.2, high * 0.74), (0.2, high - 0.06), (0.36, high - 0.08)]
-    lapel += [(0.42, high * 0.72)]
+    ends = [(wide + 0.07 - 0.2 * (1 - math.cos(a)), y - 0.14 + 0.2 * math.sin(a)) for a in _QUARTER]
+    hem = [*mirrored(ends), *((-u, -v) for u, v in mirrored(ends))]
+    vee = mirrored([(0.06, low), (0.29, high - 0.14), (0.2, high - 0.08)])
+    lapel = [(0.08, low - 0.06), (0.2, high - 0.06), (0.36, high - 0.12), (0.44, high * 0.76)]
     if hood:
-        collar = cut(
-            egg((0, 0.06, high + 0.12), (0.46, 0.44, 0.5)),
-            egg((0, -0.3, high + 0.2), (0.29, 0.46, 0.34)),
+        collar = join(
+            tilted(ring((0, 0, 0), 0.27, 0.14), 14, (0, 0, high + 0.02)),
+            egg((0, y, high - 0.04), (0.42, 0.26, 0.34)),
         )
     else:
         collar = join(
-            both(grown(prism(lapel, 1, 0.07, -y), 0.03)),
-            tilted(ring((0, 0, 0), 0.27, 0.13), 12, (0, 0, high + 0.02)),
+            both(grown(prism(lapel, 1, 0.06, -y), 0.03)),
+            tilted(
+                cut(
+                    lathe([(0.26, -0.14), (0.35, 0.0), (0.3, 0.2)], 0.02),
+                    tube((0, 0, -1), (0, 0, 1), 0.22),
+                ),
+                8,
+                (0, 0.02, high),
+            ),
         )
-    pocket = box((wide * 0.58, -y, high * 0.3), (0.15, 0.08, 0.14), 0.03)
-    vee = mirrored([(0.02, low), (0.24, high * 0.76), (0.2, high - 0.1)])
     return {
-        "body": cut(join(both(grown(prism(trunk, 1, y - soft), soft)), both(arm)), neck),
-        "shirt": cut(prism(vee, 1, 0.1, -y + 0.05), neck),
-        "collar": collar,
-        "cuffs": join(
-            both(tube(start, end, 0.23, 0.05)),
-            box((0, 0, 0.1), (wide + 0.05, y + 0.05, 0.12), 0.08),
+        "body": join(
+            both(grown(prism(trunk, 1, y - soft), soft)), both(taper(shoulder, wrist, 0.25, 0.19))
         ),
-        "pockets": both(pocket),
-        "zip": box((0, -y, (low + 0.02) / 2), (0.075, 0.12, (low + 0.02) / 2), 0.02),
+        "shirt": join(
+            prism(vee, 1, 0.08, -y + 0.03), tube((0, 0, high - 0.2), (0, 0, high + 0.04), 0.26)
+        ),
+        "collar": collar,
+        "cuffs": join(both(tube(start, end, 0.24, 0.05)), grown(prism(hem, 2, 0.1, 0.1), 0.03)),
+        "pockets": both(box((wide * 0.56, -y, high * 0.36), (0.16, 0.09, 0.13), 0.04)),
+        "zip": box((0, -y, (low + 0.06) / 2), (0.07, 0.13, (low - 0.06) / 2), 0.02),
     }
 
 
 def sandal(draw: Draw) -> Parts:
     """A sole like a foot, toes to the front, under a thong or two broad straps."""
-    long, wide, thick, kind = draw(0.98, 1.08), draw(0.4, 0.45), draw(0.2, 0.3), draw.which(2)
-    side = [(0.0, -long), (wide * 0.8, -long * 0.86), (wide, -long * 0.5)]
-    side += [(wide * 0.74, long * 0.1), (wide * 0.78, long * 0.6), (wide * 0.5, long * 0.94)]
+    long, wide, thick, kind = draw(0.98, 1.06), draw(0.42, 0.46), draw(0.28, 0.32), draw.which(2)
+    side = [(0.0, -long), (wide * 0.76, -long * 0.86), (wide, -long * 0.46)]
+    side += [(wide * 0.86, long * 0.1), (wide * 0.84, long * 0.6), (wide * 0.54, long * 0.92)]
     side += [(0.0, long)]
-    curve = smooth_curve(side, 3)
+    curve = smooth_curve(side, 6)
     outline = [*curve, *((-u, v) for u, v in reversed(curve[1:-1]))]
 
     def slab(grow: float, low: float, high: float) -> Solid:
@@ -85,32 +92,40 @@ def sandal(draw: Draw) -> Parts:
         shape = [(u * (1 + grow), v * (1 + grow * 0.5)) for u, v in outline]
         return grown(prism(shape, 2, half - soft, low + half), soft)
 
-    top = thick + 0.07
-    toe = (0, -long * 0.56, top)
+    top, level = thick + 0.07, thick * 0.5
 
-    def strap(at: float, r: float, half: float, lean: float = 0.0) -> Solid:
-        hoop = cut(
-            tube((0, -half, 0), (0, half, 0), r + 0.06, 0.03),
-            tube((0, -1, 0), (0, 1, 0), r - 0.07),
-            box((0, 0, -2), (2, 2, 1.9)),
+    def arch(r: float, sunk: float) -> Solid:
+        """A half pipe along the foot, its axis ``sunk`` below the sole's middle."""
+        pipe = cut(
+            tube((0, -1, level - sunk), (0, 1, level - sunk), r + 0.05),
+            tube((0, -2, level - sunk), (0, 2, level - sunk), r - 0.05),
         )
-        return moved(turned(hoop, 0, lean), (0, at, thick))
+        return cut(pipe, box((0, 0, level - 2), (2, 2, 2)))
+
+    def strap(at: float, half: float, r: float) -> Solid:
+        return within(arch(r, 0), box((0, at, 0), (2, half, 2)))
 
     if kind == 0:
-        thong = [toe, (wide * 0.4, -long * 0.4, top + 0.26), (wide * 0.82, -long * 0.1, top + 0.24)]
-        thong += [(wide * 0.86, long * 0.2, top - 0.08)]
-        straps = both(limb(thong, 0.1, 0.12))
-        buckles = join(ball((0, -long * 0.52, top + 0.16), 0.13), both(ball(thong[-1], 0.14)))
+        vee = [(0, -long * 0.66), (wide * 0.3, -long * 0.6), (wide * 1.3, -long * 0.04)]
+        vee += [(wide * 1.3, long * 0.3), (wide * 0.9, long * 0.16), (0, -long * 0.36)]
+        straps = within(arch(wide * 1.06, wide * 0.1), prism(mirrored(vee), 2, 2))
+        crown = level + wide * 0.96 + 0.14
+        buckles = tube((0, -long * 0.51, thick), (0, -long * 0.51, crown), 0.1, 0.03)
     else:
-        straps = join(strap(-long * 0.46, wide * 0.98, 0.2), strap(long * 0.02, wide * 0.84, 0.17))
-        pin = turned(box((0, 0, 0), (0.07, 0.15, 0.15), 0.02), 1, -24)
-        places = ((-long * 0.46, wide + 0.06), (long * 0.02, wide * 0.9))
-        buckles = join(*(moved(pin, (r * 0.9, at, thick + r * 0.46)) for at, r in places))
+        straps = join(strap(-long * 0.5, 0.2, wide), strap(long * 0.12, 0.18, wide * 0.92))
+        pin = box((0, 0, 0), (0.09, 0.14, 0.13), 0.03)
+        slope = (math.cos(0.7), math.sin(0.7))
+        buckles = join(
+            *(
+                moved(turned(pin, 1, -40), (r * slope[0], at, level + r * slope[1]))
+                for at, r in ((-long * 0.5, wide + 0.05), (long * 0.12, wide * 0.92 + 0.05))
+            )
+        )
     return {
         "sole": slab(0.04, 0.0, thick),
         "footbed": slab(-0.06, 0.06, top),
         "straps": straps,
-        "edges": slab(0.12, thick * 0.34, thick * 0.7),
+        "edges": slab(0.15, thick * 0.34, thick * 0.76),
         "buckles": buckles,
     }
 

@@ -163,33 +163,25 @@ def megaphone(draw: Draw) -> Parts:
 
 
 def hammock(draw: Draw) -> Parts:
-    """A striped cloth that sags between the two posts of a stand, which lean apart."""
-    x, high, y, sag = draw(1.26, 1.36), draw(1.2, 1.34), draw(0.54, 0.62), draw(0.44, 0.54)
-    reach, foot, thick = x - 0.54, y + 0.1, 0.11
-    low = high - sag - 0.1
-    bar: Vector = (reach, 0, low + sag * 0.72)
+    """A cloth that sags between two posts, striped along it; a bar at each end, ropes to it."""
+    x, high, y, sag = draw(1.17, 1.22), draw(1.04, 1.11), draw(0.39, 0.43), draw(0.53, 0.59)
+    reach, thick = x - 0.38, 0.065
+    low = high - sag - 0.15
+    bar: Vector = (reach, 0, low + sag)
 
-    def cloth(first: float, last: float, out: float) -> list[tuple[float, float]]:
-        us = [first + (last - first) * k / 12 for k in range(13)]
-        curve = [(u, low + sag * 0.72 * (u / reach) ** 2) for u in us]
+    def cloth(out: float) -> list[tuple[float, float]]:
+        us = [reach * (k / 10 - 1) for k in range(21)]
+        curve = [(u, low + sag * (u / reach) ** 2) for u in us]
         return [(u, v + out) for u, v in curve] + [(u, v - out) for u, v in curve[::-1]]
 
-    width = reach / 7
-    stripes = (
-        prism(cloth(reach * s - width, reach * s + width, thick + 0.08), 1, y + 0.07)
-        for s in (-0.57, 0.0, 0.57)
-    )
-    hook = (x - 0.06, 0.0, high)
+    hook = (x - 0.03, 0.0, high + 0.04)
     return {
-        "cloth": prism(cloth(-reach, reach, thick), 1, y),
-        "stripes": join(*stripes),
-        "bars": both(tube((reach, -y - 0.14, bar[2]), (reach, y + 0.14, bar[2]), 0.15, 0.05)),
-        "ropes": both(both(capsule((reach, y - 0.16, bar[2]), hook, 0.1), 1)),
-        "posts": both(tube((x - 0.2, 0, 0.1), (x, 0, high + 0.2), 0.15, 0.04)),
-        "base": join(
-            box((0, 0, 0.12), (x - 0.2, 0.14, 0.12), 0.02),
-            both(box((x - 0.2, 0, 0.14), (0.19, foot, 0.14), 0.03)),
-        ),
+        "cloth": prism(cloth(thick), 1, y),
+        "stripes": both(prism(cloth(thick + 0.06), 1, y * 0.17, y * 0.56), 1),
+        "bars": both(tube((reach, -y - 0.09, bar[2]), (reach, y + 0.09, bar[2]), 0.14, 0.04)),
+        "ropes": both(both(capsule((reach, y - 0.04, bar[2]), hook, 0.055), 1)),
+        "posts": both(tube((x - 0.08, 0, 0.08), (x, 0, high + 0.22), 0.12, 0.04)),
+        "base": both(lathe([(0.36, 0), (0.33, 0.09), (0.17, 0.19)], 0.02, (x - 0.08, 0))),
     }
 
 

@@ -1,9 +1,12 @@
 """What sport is done with."""
 
+import math
+
 from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
+    blend,
     both,
     box,
     capsule,
@@ -156,35 +159,41 @@ def surfboard(draw: Draw) -> Parts:
 
 
 def roller_skate(draw: Draw) -> Parts:
-    """A boot on four wheels, its toe to the front."""
-    long, wide, r = draw(0.76, 0.86), draw(0.32, 0.37), draw(0.2, 0.23)
-    leg, high = draw(0.3, 0.34), draw(0.84, 0.96)
-    sole, back = 2 * r + 0.16, long - leg - 0.04
-    top = sole + high
-    foot = cut(
-        ellipsoid((0, -long * 0.22, sole), (wide, long * 0.76, 0.5)),
-        box((0, 0, sole - 1), (2, 2, 1)),
+    """A laced boot on four wheels, its toe and a stop to the front."""
+    long, wide, r = draw(0.84, 0.9), draw(0.33, 0.36), draw(0.25, 0.27)
+    high, sole = draw(1.06, 1.14), 2 * r + 0.16
+    top, back, toe = sole + high, long - 0.4, wide - 0.03 - long
+    axles = (-long * 0.56, long * 0.56)
+    ankle, front = (0.0, back - 0.02, sole + 0.62), (0.0, toe + 0.12, sole + 0.2)
+    along = math.hypot(ankle[1] - front[1], ankle[2] - front[2])
+    up = ((ankle[1] - front[1]) / along, (ankle[2] - front[2]) / along)
+    rows = [
+        (front[1] + up[0] * s - up[1] * wide, front[2] + up[1] * s + up[0] * wide)
+        for s in (along * 0.3, along * 0.58, along * 0.86)
+    ]
+    boot = blend(
+        0.1,
+        taper(ankle, front, wide, wide),
+        taper((0, back + 0.06, sole + 0.2), front, wide, wide),
+        tube((0, back, sole + 0.2), (0, back + 0.03, top), wide, 0.03),
     )
-    shaft = lathe([(leg, sole), (leg * 0.92, sole + 0.5), (leg * 1.04, top)], 0.01, (0, back))
-    slope = (
-        capsule((-0.17, back - leg - 0.02 - v, w), (0.17, back - leg - 0.02 - v, w), 0.075)
-        for v, w in ((0.28, sole + 0.47), (0.05, sole + 0.6))
-    )
-    axles = (-long * 0.58, long * 0.55)
+    collar = ring((0, back + 0.03, top - 0.02), wide - 0.03, 0.1)
+    under = box((0, 0, sole - 1), (2, 3, 1))
+    hole = tube((0, back, top - 0.2), (0, back, top + 1), wide * 0.66)
     return {
-        "body": cut(join(foot, shaft), tube((0, back, top - 0.2), (0, back, top + 1), leg * 0.76)),
+        "body": cut(join(boot, collar), under, hole),
         "sole": join(
-            box((0, 0, sole - 0.07), (wide * 0.86, long * 0.92, 0.09), 0.04),
-            *(box((0, v, r + 0.1), (0.14, 0.14, 0.2), 0.03) for v in axles),
+            box((0, 0, sole - 0.06), (wide * 0.94, long, 0.11), 0.05),
+            *(box((0, v, r + 0.12), (0.15, 0.17, 0.2), 0.03) for v in axles),
         ),
         "wheels": both(
-            join(*(tube((wide * 0.34, v, r), (wide * 1.12, v, r), r, 0.05) for v in axles))
+            join(*(tube((wide * 0.4, v, r), (wide * 1.3, v, r), r, 0.06) for v in axles))
         ),
         "hubs": both(
-            join(*(tube((0, v, r), (wide * 1.12 + 0.03, v, r), r * 0.46, 0.02) for v in axles))
+            join(*(tube((0, v, r), (wide * 1.3 + 0.05, v, r), r * 0.46, 0.02) for v in axles))
         ),
-        "stop": tube((0, -long * 0.84, r + 0.26), (0, -long * 1.02, r + 0.02), 0.12, 0.03),
-        "laces": join(*slope),
+        "stop": tube((0, -long * 0.9, sole - 0.08), (0, -long - 0.08, r + 0.1), 0.14, 0.05),
+        "laces": join(*(capsule((-0.2, v, w), (0.2, v, w), 0.08) for v, w in rows)),
     }
 
 

@@ -15,6 +15,7 @@ from core.prior.solids import (
     capsule,
     chain,
     egg,
+    grown,
     join,
     lathe,
     limb,
@@ -170,29 +171,28 @@ def lizard(draw: Draw) -> Parts:
 
 def stingray(draw: Draw) -> Parts:
     """Flat, its fins a rounded diamond, dots on its back, a long tail with a sting."""
-    span, front, raised = draw(1.02, 1.18), draw(0.72, 0.84), draw(3, 8)
-    z, back = 0.2, 0.62
-    edge = [(0, -front), (0.24, -front * 0.86), (span * 0.62, -front * 0.36), (span, 0.06),
-            (span * 0.6, back * 0.66), (0.22, back), (0, back + 0.06)]  # fmt: skip
-    fin = turned(prism(smooth_curve(edge, 3), 2, 0.075), 1, -raised)
-    low = [(x * 0.9, y * 0.9) for x, y in edge]
-    pale = moved(turned(prism(smooth_curve(low, 3), 2, 0.075), 1, -raised), (0, 0, z - 0.06))
-    tail = limb([(0, 0.5, z), (0, 1.1, z + 0.04), (0, 1.75, z + 0.1)], 0.13, 0.09)
-    sting = taper((0, 1.1, z + 0.1), (0, 1.34, z + 0.28), 0.1, 0.06)
-    lift = math.tan(math.radians(raised))
+    span, long, raised = draw(1.14, 1.22), draw(0.76, 0.82), draw(4, 7)
+    z, at = 0.24, -0.74
+    edge = [(0, at - long), (0.3, at - long * 0.88), (span * 0.62, at - long * 0.3),
+            (span, at + 0.16), (span * 0.6, at + long * 0.66), (0.22, at + long),
+            (0, at + long + 0.06)]  # fmt: skip
+    fin = grown(turned(prism(smooth_curve(edge, 6), 2, 0.02), 1, -raised), 0.08)
+    rise = math.tan(math.radians(raised))
     dots = [
-        tube((x, y, z), (x, y, z + x * lift + up), r)
-        for x, y, r, up in ((0.36, 0.24, 0.1, 0.12), (0.56, -0.12, 0.11, 0.1),
-                            (0.68, 0.16, 0.1, 0.1), (0.34, -0.2, 0.1, 0.12))
-    ]  # fmt: skip
-    hump = egg((0, -0.08, z + 0.02), (0.32, 0.62, 0.22))
-    brow = ball((0.19, -0.42, z + 0.15), 0.13)
+        tube((x, y, z), (x, y, z + x * rise + 0.18), 0.13)
+        for x, y in ((0.5, at + 0.32), (0.72, at))
+    ]
     return {
-        "body": join(both(moved(fin, (0, 0, z))), hump, both(brow), tail),
-        "belly": both(pale),
+        "body": join(
+            both(moved(fin, (0, 0, z))),
+            egg((0, at, z + 0.02), (0.36, 0.66, 0.26)),
+            both(ball((0.24, at - 0.42, z + 0.14), 0.15)),
+            taper((0, at + 0.5, z + 0.02), (0, 1.8, z + 0.24), 0.16, 0.07),
+        ),
+        "belly": egg((0, at, z - 0.06), (0.72, 0.6, 0.18)),
         "patches": both(join(*dots)),
-        "horn": sting,
-        "eyes": both(ball((0.23, -0.48, z + 0.2), 0.09)),
+        "horn": taper((0, 0.42, z + 0.1), (0, 0.8, z + 0.36), 0.1, 0.07),
+        "eyes": both(ball((0.3, at - 0.48, z + 0.2), 0.12)),
     }
 
 

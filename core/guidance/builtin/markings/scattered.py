@@ -16,7 +16,7 @@ from core.guidance.builtin.markings.windows import surface_places
 
 HALF = 0.1  # of a shape, times the thing's longest side
 FEWEST = 8  # shapes, or they are smaller
-SMALLEST = 0.03  # of the longest side
+SIZES, SMALLER = 5, 0.75  # that are tried, each so many times the one before
 APART = 2.9  # halves, from one middle to the next
 DEEP = 0.4  # halves: on the other side of a mug's wall there is none
 EVEN = 0.85  # the mean normal's length around a middle, at least
@@ -54,11 +54,12 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
         return None
     longest = float(np.ptp(places, axis=0).max())
     tree = KDTree(places)
-    half = HALF * longest
-    found: list[int] = []
-    while len(found) < FEWEST and half > SMALLEST * longest:
+    half, found = HALF * longest, []
+    for k in range(SIZES):
+        half = HALF * longest * SMALLER**k
         found = _apart(places, normals, tree, half)
-        half *= 1 if len(found) >= FEWEST else 0.75
+        if len(found) >= FEWEST:
+            break
     if not found:
         return None
     outward = normals[found]

@@ -202,11 +202,11 @@ EQUIPMENT_CLOTHES = {
         "winter coat, tracksuit top, varsity jacket, suit, tuxedo, suit jacket, lab coat, robe, "
         "bathrobe, life jacket",
         {
-            "body": "*6b3a22 . leather",
+            "body": "*8a4f2d . leather",
             "shirt": "+ece6d8 . fabric",
-            "collar": "&57301d . leather",
-            "cuffs": "&4a2817 . leather",
-            "pockets": "&7d472b . leather",
+            "collar": "&4f2b19 . leather",
+            "cuffs": "&4f2b19 . leather",
+            "pockets": "&6b3a22 . leather",
             "zip": "-d3b25a . golden",
         },
         Usual(0.75, FABRIC, 0.06),
@@ -221,7 +221,7 @@ EQUIPMENT_CLOTHES = {
             "edges": "-f0e4cc . rubber",
             "buckles": "-e0b84a . golden",
         },
-        Usual(0.28, RUBBER, 0.5),
+        Usual(0.28, RUBBER, 0.2),
     ),
     "necktie": Noun(
         "tie, neck tie, neckties, business tie; cravat, school tie",

@@ -66,11 +66,11 @@ EVERYDAY_PLANTS = {
         {
             "rind": "*2f7a35",
             "stripes": "&6fae4c",
-            "flesh": "-dcecb4",
-            "seeds": "-f2f2d2",
-            "stem": "-8a9a48",
+            "flesh": "-c3e08e",
+            "seeds": "-faf6da",
+            "stem": "-5f8f3c",
         },
-        Usual(0.26, PLANT, 0.8),
+        Usual(0.26, PLANT, 0.3),
     ),
     "lettuce": Noun(
         "head of lettuce, lettuce head; cabbage, salad head, iceberg lettuce, head of cabbage, "
@@ -170,9 +170,9 @@ EVERYDAY_THINGS = {
         {
             "roll": "*f5f3ee",
             "sheet": "*faf8f4",
-            "core": "-b08a5c",
-            "line": "-d3cfc6",
-            "dots": "+e3e6ee",
+            "core": "-a9763f",
+            "line": "-b9c4d2",
+            "dots": "+a9cdea",
         },
         Usual(0.14, PAPER, 0.18),
     ),

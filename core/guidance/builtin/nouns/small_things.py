@@ -209,7 +209,7 @@ SMALL_THINGS = {
             "posts": "&8a5a2e grain",
             "base": "&8a5a2e grain",
         },
-        Usual(3.2, WOOD, 0.02),
+        Usual(3.2, WOOD, 0.05),
     ),
     "gong": Noun(
         "temple gong, chinese gong; tam tam, cymbal, cymbals",

@@ -164,12 +164,12 @@ LEGENDS = {
     "minotaur": Noun(
         "minotaurs, bull man; bull demon, minotaur warrior",
         {
-            "body": "*a8714a",
-            "fur": "&4b2e1e",
+            "body": "*c78a5c",
+            "fur": "&5f3a24",
             "horns": "-ece0c4",
-            "loincloth": "+6e2f1e . leather",
+            "loincloth": "+8a2f1e . leather",
             "axe": "-b4b9bf . metal",
-            "eyes": _EYES,
+            "eyes": "-ffc93a",
         },
         Usual(2.5, FLESH, 0.21),
     ),

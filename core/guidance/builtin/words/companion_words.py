@@ -154,7 +154,7 @@ _NOT_HELD = (
 
 BY_IT = (
     "(?:next to|beside|near|behind|in front of|around|(?:leaning|propped) (?:up )?"
-    "(?:against|on)|hanging (?:from|off|on)) (?:it|them)|"
+    "(?:against|on)) (?:it|them)|"
     "(?:at|by|on) (?:its|each|either|one|both) sides?(?! of)"
 )
 

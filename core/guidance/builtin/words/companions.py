@@ -21,14 +21,14 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
-from core.guidance.builtin.words.count_words import CONTAINED, MIXED
+from core.guidance.builtin.words.count_words import CONTAINED, HEAPED, MIXED
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
 from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.tokens import DOING
-from core.guidance.builtin.words.whereabouts import Place
+from core.guidance.builtin.words.whereabouts import Place, place_of
 
 MOST = 4  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
@@ -137,10 +137,14 @@ class _Search:
         first = self._first_of(prompt[: got.start])
         taken: list[Found] = []
         kept: list[str] = []
+        if any(start <= got.start < end for _, start, end in drawn_in(prompt)):
+            return [], prompt
         for item in got.items:
             more = self._at_place(item, first, [*found, *taken])
             taken += more
             kept += [] if more else [item.phrase]
+        if first == fillings.PLATE and kept:
+            return [], prompt
         left = [f"with {' and '.join(kept)}"] if kept else []
         return taken, _cut(prompt, got.start, got.end, left) if taken else prompt
 
@@ -173,7 +177,8 @@ class _Search:
             if said.get("within") and not fillings.may_hold(first, match["phrase"]):
                 continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
-            relation = "beside" if first and by else relation
+            if by and first:
+                relation = self._stands_by(first, match)
             if relation is None or (said.get("it") and is_pictured(first)):
                 continue
             pictures = (one for one, start, end in drawn if start <= match.start() < end)
@@ -274,6 +279,14 @@ class _Search:
                 return taken, _cut(prompt, opener.start, end, left, openers)
         return [], prompt
 
+    def _stands_by(self, first: str, match: re.Match[str]) -> Relation | None:
+        """What stands beside the first thing, and is not on its side, nor worn around it."""
+        phrase = match["phrase"].strip()
+        if "side" in match["by"] and place_of(first, phrase, is_one=True) != "by":
+            return None
+        worn = named_in(phrase) in known_as.WORN and is_dressed(first)
+        return ("wears" if worn else "beside") if "around" in match["by"] else "beside"
+
     def _has_opener(self, clause: str) -> bool:
         return any(
             self._first_of(clause[: one.start]) for one in openers_in(clause) if not one.weak
@@ -355,7 +368,8 @@ class _Search:
 
 def _shared_out(found: list[Found]) -> list[Found]:
     """Of what fills a container together there is less of each."""
-    mixed = [one for one in found if one.relation == "bears" and one.words.count == CONTAINED]
+    heaps = (CONTAINED, HEAPED)
+    mixed = [one for one in found if one.relation == "bears" and one.words.count in heaps]
     if len(mixed) < 2:
         return found
     few = math.ceil(MIXED / len(mixed))

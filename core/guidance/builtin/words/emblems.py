@@ -80,7 +80,12 @@ SIGNS = {  # by a letter of the font
 
 def plural(name: str) -> str:
     """Of a shape."""
-    irregular = {"leaf": "leaves", "maple leaf": "maple leaves", "daisy": "daisies"}
+    irregular = {
+        "skull and crossbones": "skulls and crossbones",
+        "leaf": "leaves",
+        "maple leaf": "maple leaves",
+        "daisy": "daisies",
+    }
     return irregular.get(name, f"{name}{'es' if name.endswith('s') else 's'}")
 
 
@@ -183,22 +188,30 @@ _SHAPE = _rule(
     rf"(?=$|[,.;!]| (?!on top(?! of)\b)(?:{_AFTER}|{_MADE})\b))"
 )
 _SCATTERED = _rule(
-    rf"(?:(?:(?:{_MADE} |marked |decorated |covered )?(?:with|in|featuring|having) |and )"
-    r"(?:(?:lots of|many|some|several|a pattern of|a few) )?)?"
+    rf"(?:(?:(?:(?:{_MADE} |marked |decorated |covered )(?:with|in)|with|featuring|having) |and )"
+    r"(?:(?:lots of|many|some|several|a pattern of|a few|an?) )?)?"
     rf"(?:(?:big|bold|large|small|little|tiny|simple|cute|painted) ){{0,3}}{_COLOR}"
     rf"(?P<shape>{_any(MANY_FORMS)}|floral|"
-    rf"(?:{_any(FLAT_FORMS | THING_FORMS)})(?= patterned| pattern))"
+    rf"(?:{_any(FLAT_FORMS | THING_FORMS)})(?= patterned| pattern| decals| stickers))"
     r"(?P<mark>[ -](?:patterns?|patterned|prints?|printed|motifs?|decals?|stickers?)(?![\w-]))?"
-    rf"(?![\w-])(?: {_MADE})?(?P<on> (?:all over|around|on) (?:it|them|the (?:outside|sides?))"
-    r"(?![\w-])| all over)?"
+    rf"(?P<all> all over(?: (?:it|them))?| around (?:it|them))?"
+    rf"(?:(?<=floral)|(?<=patterned)|(?<=printed)|(?=$|[,.;!]| (?!on top(?! of)\b)"
+    rf"(?:{_AFTER}|please|all|{_MADE})\b)(?! in(?:side)? (?:it|them)\b))(?![\w-])"
 )
 # What people have pictures on: what is with it is drawn.
-_BEARERS = _rule(
-    r"(?:t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
-    r"bottle|potion|jar|box|bag|sack|backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|"
-    r"rug|book|sticker|badge|dress|skirt|teapot|teacup|kettle|scarf|socks?|curtains?|umbrella|towel|"
-    r"blanket|tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)\b"
+_BEARING = (
+    "t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
+    "bottle|potion|jar|box|bag|sack|backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|"
+    "rug|book|sticker|badge"
 )
+_BEARERS = _rule(rf"(?:{_BEARING})\b")
+# And many small ones.
+_MORE_BEARERS = _rule(
+    rf"(?:{_BEARING}|dress|skirt|teapot|teacup|kettle|scarf|socks?|curtains?|umbrella|towel|blanket|"
+    r"tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)\b"
+)
+_VESSELS = _rule(r"(?:vase|bowl|pot|goblet)\b")  # where it is said that they are on it
+_OTHERS = re.compile(r"\b(?:with|wearing|holding|on|in|and|next)\b", re.IGNORECASE)
 _RACING = _rule(
     rf"(?:with {_A})?(?:two |twin |double )?{_COLOR}(?:(?:racing|go[ -]faster|rally) stripes?|"
     r"stripes? (?:running )?(?:down|along|over) (?:the|its) "
@@ -276,16 +289,7 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
     """The shapes, and where in the prompt they are written about."""
     for match in _RACING.finditer(prompt):
         yield Emblem("", STRIPES, *_color(match["color"])), match.start(), match.end()
-    for match in _SCATTERED.finditer(prompt):
-        form = re.sub("[ -]", " ", match["shape"].lower())
-        form = MANY_FORMS.get(form, "flower" if form == "floral" else form)
-        follows = re.match("(?:and|with|in|featuring|having|covered|marked|decorated) ", match[0])
-        said = match["mark"] or match["on"] or re.match(rf"{_MADE}|covered|decorated", match[0])
-        flat = form not in THING_FORMS or (form not in PARTS_TOO and _BEARERS.search(prompt))
-        if said or match["shape"].lower() == "floral" or (follows and flat):
-            shape = FLAT_FORMS.get(form) or THING_FORMS[form]
-            one = Emblem("", shape, *_color(match["color"]), is_scattered=True)
-            yield one, match.start(), match.end()
+    yield from _scattered(prompt)
     for match in _SHAPE.finditer(prompt):
         tail = _TAIL.match(prompt, match.end())
         form = re.sub("[ -]", " ", match["shape"].lower())
@@ -300,6 +304,35 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         of_noun = match["mark"] and not tail[0] and _NOUN.match(prompt, tail.end())
         start = match.start("shape") if of_noun else match.start()
         yield Emblem(text, shape, *color, *_place(tail)), start, tail.end()
+
+
+def _scattered(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
+    """The shapes of which there are many, and where in the prompt they are written about."""
+    for match in _SCATTERED.finditer(prompt):
+        form = re.sub("[ -]", " ", match["shape"].lower())
+        is_floral = form == "floral"
+        form = MANY_FORMS.get(form, "flower" if is_floral else form)
+        tail = _TAIL.match(prompt, match.end())
+        assert tail
+        follows = _BEHIND.match(match[0])
+        first = _OTHERS.split(prompt[: match.start()])[0]
+        flat = form not in THING_FORMS or (
+            form not in PARTS_TOO and _MORE_BEARERS.search(first) is not None
+        )
+        bears = form not in THING_FORMS or _MORE_BEARERS.search(first) or _VESSELS.search(first)
+        on_it = tail[0] and (bears or tail["on"])
+        painted = re.match(rf"{_MADE}|covered|decorated", match[0]) or re.match(
+            rf" {_MADE}", tail[0]
+        )
+        said = is_floral or match["mark"] or match["all"] or painted or on_it
+        if not (said or (follows and flat)):
+            continue
+        shape = FLAT_FORMS.get(form) or THING_FORMS[form]
+        color = _color(match["color"] or tail["color"] or tail["after"])
+        one = Emblem("", shape, *color, *_place(tail), is_scattered=True)
+        # "With floral cushions": the cushions stay.
+        of_noun = not tail[0] and _NOUN.match(prompt, tail.end())
+        yield one, match.start("shape") if of_noun else match.start(), tail.end()
 
 
 def _drawable(text: str) -> str:

@@ -6,6 +6,7 @@ Standard library only.
 
 import re
 from collections.abc import Callable
+from itertools import islice
 from typing import NamedTuple
 
 from core.guidance.builtin.words import companion_words as known_as
@@ -13,10 +14,12 @@ from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.whereabouts import STOVES, TOPS, Place, place_of
+from core.guidance.builtin.words.whereabouts import LAID, STOVES, TOPS, Place, place_of
 
 _COMPUTERS = re.compile(r"\b(?:computer|pc|laptop|monitor|keyboard)s?\b", re.IGNORECASE)
-_POT = re.compile(r"(?<!flower )(?<!cooking )\bpot\b(?! of)", re.IGNORECASE)
+_POT = re.compile(
+    r"(?<!flower )(?<!cooking )\bpot\b(?! of (?!soup|stew|tea|coffee|water))", re.IGNORECASE
+)
 _CLOCK = re.compile(
     r"(?<!alarm )(?<!grandfather )(?<!cuckoo )\b(?:mantel |desk |table )?clock\b", re.IGNORECASE
 )
@@ -38,11 +41,16 @@ _AT = re.compile(
     r" on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface)$", re.IGNORECASE
 )
 _PERCHED = re.compile(r" on (?:the|its|an?|one) (?:[\w-]+ )?[\w-]+$", re.IGNORECASE)
+LOOKED_AT = 12  # of a prompt's clauses: all before are read for each
+_UNDER = re.compile(r" (?:under|below|beneath|underneath)\b", re.IGNORECASE)
 # What is said of a thing behind its name.
 _SAID = re.compile(
     r" (?:that|in|on|over|under|above|from|for|melted|[a-z]{2,}ing|covered|stuck|asleep|full)\b"
 )
-_STUFFED = "full|filled|stuffed|packed|loaded|piled|heaped"
+_STUFFED = (
+    "full|filled|stuffed|packed|loaded|piled|heaped|overflowing|brimming|bursting|piled high|"
+    "filled to the brim"
+)
 _FULL = frozenset(
     ("of", "laden with", *(f"{how} {of}" for how in _STUFFED.split("|") for of in ("of", "with")))
 )
@@ -53,25 +61,32 @@ _CLAUSE = re.compile(
     re.IGNORECASE,
 )
 _END = re.compile(
-    r",?(?: and)? (?:no|not|without|that|which|who|while|made|for|wearing|holding|from|"
+    r"(?:^|,?(?: and)? )(?:no|not|without)\b|"
+    r",?(?: and)? (?:that|which|who|while|made|for|wearing|holding|from|"
     r"in (?=an? |the )|on (?=an? [^,]*$))",
     re.IGNORECASE,
 )
-_ITEM = (
-    rf"{_ONE.pattern}(?:(?!(?:with|on|in|inside|wearing|holding|that|which|who|and|an?|the|made|next|"
-    r"at|for|under|over|by|from|against|riding|to)\b)[\w'-]+ ?){1,5}"
+_WORD = (
+    r"(?!(?:with|on|in|inside|wearing|holding|that|which|who|and|an?|the|made|next|at|for|under|over|"
+    r"by|from|against|riding|to)\b)[\w'-]+(?![\w'-])"
 )
-_LIST = rf"{_ITEM}(?:, {_ITEM})*,? ?and {_ITEM}"
-_LISTED = re.compile(rf"\s*(?P<list>{_LIST})[.!]?\s*", re.IGNORECASE)
+_ITEM = rf"{_ONE.pattern}{_WORD}(?: {_WORD}){{0,4}}"
+_LIST = rf"{_ITEM}(?:, {_ITEM})*,? and {_ITEM}"
+_LISTED = re.compile(rf"\s*(?P<list>{_LIST})\s*[.!]?\s*", re.IGNORECASE)
 _LISTED_ON = re.compile(
-    rf"\s*(?P<list>{_LIST})(?:(?:sitting|standing|lying|resting) )?"
-    rf"(?P<way>on top of|on|in|inside) (?P<below>{_ITEM})[.!]?\s*",
+    rf"\s*(?P<list>{_LIST})(?: (?:sitting|standing|lying|resting))? "
+    rf"(?P<way>on top of|on|in|inside) (?P<below>{_ITEM})\s*[.!]?\s*",
     re.IGNORECASE,
 )
-_MIXTURES = {"f": "apples, oranges and bananas", "v": "tomatoes, carrots and onions"}
+_MIXTURES = {
+    "f": "apples, oranges and bananas",
+    "v": "tomatoes, carrots and onions",
+    "b": "apples, carrots and tomatoes",
+}
 _KINDS = r"(?:(?:fresh|mixed|ripe|colou?rful|tropical|assorted|various) )*"
 _MIXED = re.compile(
     rf"(?P<before> (?:of|with) ){_KINDS}(?P<what>fruit|vegetable|veggie)s?"
+    r"(?P<both> and (?:fruit|vegetable|veggie)s?)?"
     r"(?=$|[,.;!?]| (?:and|on|in|next|beside)\b)",
     re.IGNORECASE,
 )
@@ -82,7 +97,9 @@ _LISTED_MIXED = re.compile(
     re.IGNORECASE,
 )
 _MIXED_BEFORE = re.compile(
-    r"\b(?P<what>fruit|vegetable|veggie)s? (?P<container>bowl|basket|crate|platter)\b",
+    r"(?P<begin>\s*(?:an?|the|my|some)?\s*(?:(?!empty\b)[\w'-]+ ){0,3}?)"
+    r"(?P<what>fruit|vegetable|veggie)s? (?P<container>bowl|basket|crate|platter)\b"
+    r"(?! (?:full|filled|with|of|that))",
     re.IGNORECASE,
 )
 _ANOTHER = re.compile(r" (?:with|on|in|beside|holding|next to) ", re.IGNORECASE)
@@ -115,10 +132,12 @@ def turned(prompt: str) -> str:
     listed = _LISTED_ON.fullmatch(prompt)
     if listed is None:
         return prompt
-    below, items = named_in(listed["below"]), _JOIN.split(listed["list"])
-    if any(not _names(one, bare=False) or is_creature(named_in(one)) for one in items):
-        return prompt
+    below = named_in(listed["below"])
+    items = [_as_meant(below, one, prompt) for one in _JOIN.split(listed["list"])]
     within = below in known_as.CONTAINERS and below != PLATE
+    sit = not within and any(is_creature(named_in(one)) for one in items)
+    if sit or not all(_names(one, bare=False) for one in items):
+        return prompt
     if not (within or below in TOPS) or (within == listed["way"].startswith("on")):
         return prompt
     return f"{listed['below'].strip()} with {listed['list'].strip()} {'in' if within else 'on'} it"
@@ -133,7 +152,7 @@ def listed_in(
         first_of: the thing that a text names first, or "".
         is_own: whether a phrase names what the first thing has by itself.
     """
-    for clause in _CLAUSE.finditer(prompt):
+    for clause in islice(_CLAUSE.finditer(prompt), LOOKED_AT):
         first = first_of(prompt[: clause.start()])
         if first and (found := _placed(prompt[: clause.start()], clause, first, is_own)):
             end = clause.start("list") + found[-1].end
@@ -183,9 +202,13 @@ def _placed(before: str, clause: re.Match[str], first: str, is_own: IsOwn) -> li
     found = []
     for k, part in enumerate(parts):
         whole = _as_meant(first, part.phrase, text)
-        is_one = _names(whole, bare=way == ":" or (k > 0 and first in TOPS))
+        is_one = _names(whole, bare=way == ":" or (several and first in TOPS))
         place: Place = "" if is_own(whole, first) else place_of(first, whole, is_one)
-        if full:
+        if _UNDER.search(part.text):
+            place = ""
+        elif place == "on" and not said and first in LAID and _may_be_drawn(whole):
+            place = ""  # a rug with a tiger
+        elif full:
             place = "in"
         elif _PERCHED.search(part.text) and is_creature(named_in(whole)):
             place = "on"
@@ -202,11 +225,17 @@ def _placed(before: str, clause: re.Match[str], first: str, is_own: IsOwn) -> li
     return found
 
 
+def _may_be_drawn(phrase: str) -> bool:
+    return is_creature(named_in(phrase)) or named_in(phrase) in known_as.FLOWERS
+
+
 def _is_full(before: str, first: str, parts: list[_Part]) -> bool:
     """Whether the first thing is a container that all of it fills."""
     if first not in known_as.CONTAINERS or _ANOTHER.search(before):
         return False
-    many = [named_in(one.phrase) and fillings.fills(one.phrase) for one in parts]
+    many = [bool(named_in(one.phrase)) and fillings.fills(one.phrase) for one in parts]
+    if first == PLATE:
+        return all(many)
     return (
         all(x or _names(one.phrase, bare=False) for x, one in zip(many, parts, strict=True))
         and many[0]
@@ -262,10 +291,16 @@ def _names(phrase: str, bare: bool) -> bool:
 
 def mixtures_named(prompt: str) -> str:
     """The prompt with the kinds of what only says "fruit": a bowl of it."""
-    prompt = _MIXED_BEFORE.sub(r"\g<container> of \g<what>", prompt)
+    before = _MIXED_BEFORE.match(prompt)
+    if before:
+        prompt = (
+            f"{before['begin']}{before['container']} of {before['what']}{prompt[before.end() :]}"
+        )
     prompt = _LISTED_MIXED.sub(" of ", prompt)
     found = _MIXED.search(prompt)
     if found is None or _ANOTHER.search(prompt, 0, found.start()):
         return prompt
-    kinds = found["before"] + _MIXTURES[found["what"][0].lower()]
+    if named_in(prompt[: found.start()]) not in known_as.CONTAINERS | TOPS:
+        return prompt
+    kinds = found["before"] + _MIXTURES["b" if found["both"] else found["what"][0].lower()]
     return prompt[: found.start()] + kinds + prompt[found.end() :]

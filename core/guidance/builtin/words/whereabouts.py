@@ -26,7 +26,9 @@ TOPS = frozenset(
     ).split(", ")
 )
 _FURNITURE = frozenset(GROUPS["Furniture"]) - {"lamp", "pillow", "shelf", "mirror", "beanbag"}
-_TALL = 0.5  # times as long as a table: what stands beside it, if it is furniture or grows
+LAID = frozenset(("rug", "towel"))  # what is with them may be a picture
+_LEVEL = LAID | {"pallet", "trailer"}  # furniture stands on these
+_TALL = 0.5  # times as long as a table: what stands beside it, if it grows or is driven
 _LARGEST = 1.2  # times as long as what it is on or in
 _VEHICLES = frozenset(GROUPS["Vehicles"]) | frozenset(GROUPS["Aircraft and Space"])
 _OF_VEHICLES = (
@@ -98,7 +100,8 @@ def place_of(first: str, phrase: str, is_one: bool) -> Place:
     if first in TOPS and not is_one:
         return _on_top(noun, long, many)
     if first in TOPS:
-        beside = long > _TALL and noun in _FURNITURE | _GROWING | _VEHICLES
+        tall = long > _TALL and noun in _GROWING | _VEHICLES
+        beside = tall or (noun in _FURNITURE and first not in _LEVEL)
         return "by" if beside else "on" if long < _LARGEST else ""
     return _beside(first, noun) if is_one else ""
 
@@ -120,7 +123,7 @@ def _in(first: str, noun: str, long: float, is_one: bool) -> Place:
     if known_as.is_pictured(first):
         fits = noun in known_as.EDIBLE
     else:
-        fits = first not in _VEHICLES or noun not in _OF_VEHICLES
+        fits = first not in _VEHICLES or noun not in _OF_VEHICLES | _BUILDINGS
     return "in" if fits and long < _LARGEST else ""
 
 
