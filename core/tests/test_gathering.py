@@ -5,6 +5,7 @@ import torch
 
 from core.guidance.builtin.composition.arranged import arranged
 from core.guidance.builtin.composition.copies import mixed_heap
+from core.guidance.builtin.words.gathering import in_a_row, turned
 from core.guidance.builtin.words.vocabulary import parse
 from core.tests.drawn_things import body, box, several
 
@@ -82,6 +83,12 @@ def with_it(prompt: str) -> tuple[str, list[str]]:
             "table",
             ["beside skeleton", "beside chest"],
         ),
+        ("a box of apples and oranges", "cardboard box", ["bears 5 apple", "bears 5 orange fruit"]),
+        ("a desk with a lamp in red and a mug", "desk", ["bears red lamp", "bears mug"]),
+        ("a desk with laptop, lamp and mug", "desk", ["bears laptop", "bears lamp", "bears mug"]),
+        ("a piano with a stool", "piano", ["beside stool"]),
+        ("a keyboard and a mouse on a desk", "desk", ["bears keyboard", "bears computer mouse"]),
+        ("a cactus with a scarf around it", "cactus", ["wears scarf"]),
         ("an island with a tree and a pagoda", "island", ["bears tree", "bears pagoda"]),
         (
             "a well with a bucket and a crow sitting on the edge",
@@ -130,6 +137,14 @@ def test_what_is_listed_has_its_place(prompt, thing, others):
         "a bowl of ramen with an egg",
         "a plate with a fried egg",
         "a boat with a flag",
+        "a boat with a cabin",
+        "a rug with a tiger",
+        "a mug with a cat on its side",
+        "a table with a cat under it",
+        "a cake with no strawberries",
+        "a table with no apples",
+        "an empty fruit bowl",
+        "a monkey with fruit",
     ],
 )
 def test_a_part_or_a_print_is_no_other_thing(prompt):
@@ -142,6 +157,27 @@ def test_what_is_said_of_one_of_a_list_is_of_that():
     assert lamp == parse("a lamp with a red shade")
     assert [str(one) for one in mug.emblems] == ["hearts"]
     assert not table.emblems and not table.accents
+
+
+def test_what_is_said_of_one_and_not_made_is_left_out():
+    words = parse("a table with a candle melted over a skull and a mug")
+    assert {"melted", "skull"} <= set(words.left_out)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a fierce dragon, a golden crown and a purple cape with stars " * 8,
+        "a table with " + "a red lamp, " * 60 + "and a mug",
+        "a " + "b" * 400 + ", a " + "c d " * 100 + "and a mug with a lid",
+        "a cozy cottage, a winding path and a wooden fence at sunset",
+        "some colourful mushrooms, a log and a few stones in the style of a cartoon",
+    ],
+)
+def test_a_list_is_read_or_not_without_trying_all_ways(prompt):
+    """A word was once split in every way: a hundred seconds for eighty letters."""
+    assert turned(prompt) == prompt
+    assert not in_a_row(prompt)
 
 
 def test_three_on_a_desk_stand_apart_with_the_tallest_behind():

@@ -41,6 +41,15 @@ def cube():
         ("a green dress with polka dots", []),  # a pattern
         ("a basket of stars", []),
         ("two hearts", []),
+        ("a dress with stars on its sleeves", ["stars"]),
+        ("a mug with heart decals", ["hearts"]),
+        ("a mug with flowers in it", []),
+        ("a table with skulls on it", []),
+        ("a cake with hearts on top", []),
+        ("a girl with a flower and a hat", []),
+        ("a house in flames", []),
+        ("a horse with flames for a mane", []),
+        ("a dragon with flames coming out of its mouth", []),
     ],
 )
 def test_what_is_drawn_all_over(prompt, drawn):
@@ -48,6 +57,8 @@ def test_what_is_drawn_all_over(prompt, drawn):
 
 
 def test_what_is_drawn_all_over_is_no_other_thing():
+    assert parse("a dog with heart patterned bandana").noun == "dog"
+    assert parse("a sofa with floral cushions").noun == "sofa"
     assert parse("a mug with blue flowers on it").companions == ()
     assert parse("a vase with blue flowers").companions[0].words.noun == "flower"
 

@@ -19,7 +19,7 @@ from core.guidance.builtin.words.companion_openers import (
     named_in,
     openers_in,
 )
-from core.guidance.builtin.words.companion_phrases import ARTICLES, VERBS, items
+from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
 from core.guidance.builtin.words.count_words import CONTAINED, HEAPED, MIXED
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
@@ -41,6 +41,10 @@ _RELATIONS: dict[Place, Relation] = {
     "by": "beside",
 }
 _HOW_MANY = {"three on": "three ", "heaped on": "a heap of "}
+_BOX = re.compile(
+    r"^(\s*(?:an?|the|my|some)?(?: (?!cardboard\b)[\w-]+){0,3}? )box(?= (?:of|with|full|filled)\b)",
+    re.IGNORECASE,
+)
 _HAVING = ("holds", "beside", "bears")
 _DRIVING = ("driving", "drives", "drive")
 
@@ -131,22 +135,21 @@ class _Search:
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a lamp, a laptop and a mug"."""
-        got = listed_in(prompt, self._first_of, self._is_own)
-        if got is None:
+        boxed = _BOX.sub(rf"\g<1>{known_as.BOX}", prompt)
+        got = listed_in(boxed, self._first_of, self._is_own)
+        if got is None or any(start <= got.start < end for _, start, end in drawn_in(boxed)):
             return [], prompt
-        first = self._first_of(prompt[: got.start])
+        first = self._first_of(boxed[: got.start])
         taken: list[Found] = []
         kept: list[str] = []
-        if any(start <= got.start < end for _, start, end in drawn_in(prompt)):
-            return [], prompt
         for item in got.items:
             more = self._at_place(item, first, [*found, *taken])
             taken += more
-            kept += [] if more else [item.phrase]
-        if first == fillings.PLATE and kept:
+            kept += [] if more else [item.phrase + item.left_out]
+        if not taken or (first == fillings.PLATE and kept):
             return [], prompt
         left = [f"with {' and '.join(kept)}"] if kept else []
-        return taken, _cut(prompt, got.start, got.end, left) if taken else prompt
+        return taken, _cut(boxed, got.start, got.end, left)
 
     def _is_own(self, phrase: str, first: str) -> bool:
         """Whether it names what the first thing has by itself, or nothing that is known."""
@@ -163,6 +166,9 @@ class _Search:
             one = self._as_filling(one, first)
         if one is None:
             return []
+        more = [word for word in item.left_out.split() if word not in SAYS_LITTLE]
+        words = replace(one.words, left_out=(*one.words.left_out, *more))
+        one = one._replace(words=words)
         return _on_both_sides(one, "") if item.place == "by" else [one]
 
     def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:

@@ -13,6 +13,7 @@ from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.fillings import PLATE, named
+from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.whereabouts import LAID, STOVES, TOPS, Place, place_of
 
@@ -25,7 +26,7 @@ _CLOCK = re.compile(
 )
 _MOUSE = re.compile(r"(?<!computer )(?<!cat and )\bmouse\b(?! ?pad)", re.IGNORECASE)
 _ONE = re.compile(
-    r"(?:an?|the|its|one|some|two|three|four|five|six|several|a (?:pair|couple) of)\s",
+    r"(?:a (?:pair|couple) of|an?|the|its|one|some|two|three|four|five|six|several)\s",
     re.IGNORECASE,
 )
 _JOIN = re.compile(r"\s*,\s*(?:and\s+)?(?:with\s+)?|\s+(?:and|plus)\s+(?:with\s+)?", re.IGNORECASE)
@@ -110,6 +111,7 @@ class Item(NamedTuple):
 
     phrase: str
     place: Place
+    left_out: str = ""  # what is said of it besides
 
 
 class Listed(NamedTuple):
@@ -156,7 +158,8 @@ def listed_in(
         first = first_of(prompt[: clause.start()])
         if first and (found := _placed(prompt[: clause.start()], clause, first, is_own)):
             end = clause.start("list") + found[-1].end
-            items = [Item(_as_meant(first, one.phrase, clause["list"]), one.where) for one in found]
+            text = clause["list"]
+            items = [Item(_as_meant(first, one.phrase, text), one.where, one.rest) for one in found]
             return Listed(items, clause.start(), end)
     return None
 
@@ -174,7 +177,8 @@ class _Part(NamedTuple):
     """A part of a list that is between commas."""
 
     phrase: str  # without what is said of it where it is
-    text: str  # all of it
+    rest: str  # that is said of it
+    text: str  # all of it, with the place
     end: int  # in the list
     where: Place = ""  # as is said
 
@@ -257,16 +261,21 @@ def _parts(text: str) -> list[_Part]:
         said: Place = ""
         if where:
             said = "in" if where["within"] else "by" if where["by"] else "on"
-        found.append(_Part(_alone(phrase), whole, stop, said))
+        alone = _by_itself(phrase)
+        found.append(_Part(alone, phrase[len(alone) :], whole, stop, said))
         if where or join is None:
             return found
         at = join.end()
 
 
-def _alone(phrase: str) -> str:
+def _by_itself(phrase: str) -> str:
     """The phrase without what a thing does, or where: "a candle melted over a skull"."""
-    said = next((one for one in _SAID.finditer(phrase) if named_in(phrase[: one.start()])), None)
-    return phrase[: said.start()] if said else phrase
+    for said in _SAID.finditer(phrase):
+        behind = look_up(phrase[said.end() :].lstrip().split(" ")[0].lower(), SLOTS)
+        is_look = said[0] == " in" and behind is not None and behind.slot == "color"
+        if named_in(phrase[: said.start()]) and not is_look:
+            return phrase[: said.start()]
+    return phrase
 
 
 def _next_join(text: str, begin: int) -> re.Match[str] | None:
@@ -283,7 +292,7 @@ def _next_join(text: str, begin: int) -> re.Match[str] | None:
 def _names(phrase: str, bare: bool) -> bool:
     """Whether the item names one thing, or so many: "a lamp", and no "wooden legs"; it may be
     without an article where ``bare``."""
-    whole = phrase.split(" with ")[0]
+    whole = re.split(" (?:with|in) ", phrase)[0]
     noun = named_in(whole)
     one = _ONE.match(whole) or (bare and not named(whole).is_many)
     return bool(noun and one) and ends_in_name(whole, noun)
@@ -300,7 +309,7 @@ def mixtures_named(prompt: str) -> str:
     found = _MIXED.search(prompt)
     if found is None or _ANOTHER.search(prompt, 0, found.start()):
         return prompt
-    if named_in(prompt[: found.start()]) not in known_as.CONTAINERS | TOPS:
+    if named_in(prompt[: found.start()]) not in known_as.CONTAINERS | TOPS | {"cube"}:  # a box
         return prompt
     kinds = found["before"] + _MIXTURES["b" if found["both"] else found["what"][0].lower()]
     return prompt[: found.start()] + kinds + prompt[found.end() :]
