@@ -241,14 +241,13 @@ class _Search:
                 continue
             one = self._taken("bears", fillings.named(phrase).phrase, first, found)
             whole, start = before + prompt[match.start() :], len(before)
-            besides, end = fillings.more(whole, start + len(match[0].rstrip()), first)
-            if one and (one := self._as_filling(one._replace(phrase=phrase), first, besides)):
-                return [one], _cut(whole, start, end, [])
+            if one and (one := self._as_filling(one._replace(phrase=phrase), first)):
+                return [one], _cut(whole, start, start + len(match[0].rstrip()), [])
         return [], prompt
 
     @staticmethod
-    def _as_filling(one: Found, container: str, besides: str = "") -> Found | None:
-        words = fillings.filling(one.words, one.phrase, container, besides)
+    def _as_filling(one: Found, container: str) -> Found | None:
+        words = fillings.filling(one.words, one.phrase, container)
         return one._replace(words=words) if words else None
 
     def _is_later(self, prompt: str, at: int) -> bool:

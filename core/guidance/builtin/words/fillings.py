@@ -21,7 +21,6 @@ from core.guidance.builtin.words.count_words import (
 from core.guidance.builtin.words.counts import is_many, named_singly, set_counts_apart
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.part_names import owns
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.tokens import Tokens
@@ -39,8 +38,6 @@ _FULL = (
 FILLED = re.compile(
     rf"(?<![\w-])(?P<way>{_FULL}|of|with|holding|carrying) {_PHRASE}", re.IGNORECASE
 )
-# What fills it too: one thing does here.
-_MORE = re.compile(rf",? and (?!(?:an?|the|[a-z]+ing) ){_PHRASE}", re.IGNORECASE)
 SERVED = re.compile(
     r"(?<![\w-])(?P<plate>(?:(?:an?|the) )?(?:(?!of\b)[\w'-]+ ){0,3}?(?:plate|platter|tray|dish)) "
     rf"(?:{_FULL}|of|with) {_PHRASE}",
@@ -104,16 +101,7 @@ def may_hold(container: str, phrase: str) -> bool:
     return within or known_as.may_hold_within(noun, container)
 
 
-def filling(words: Words, phrase: str, container: str, besides: str = "") -> Words | None:
-    """As :func:`_filling`, with a note on what is left out besides."""
-    found = _filling(words, phrase, container)
-    if not (found and besides):
-        return found
-    note = f"{besides}: left out, as one thing is made at a time."
-    return replace(found, notes=(*found.notes, note), left_out=(*found.left_out, *besides.split()))
-
-
-def _filling(words: Words, phrase: str, container: str) -> Words | None:
+def filling(words: Words, phrase: str, container: str) -> Words | None:
     """Of what is in the container as much as there is to see; None: it is too large, or a meal."""
     noun = words.noun
     flower = noun in known_as.FLOWERS
@@ -127,15 +115,6 @@ def _filling(words: Words, phrase: str, container: str) -> Words | None:
         return words
     few = flower or (is_creature(noun) and noun not in FISH)
     return replace(words, count=GROWING if few else CONTAINED, order="heap")
-
-
-def more(prompt: str, end: int, container: str) -> tuple[str, int]:
-    """What is said to fill the container besides, from the index on, and where that ends."""
-    found = _MORE.match(prompt, end)
-    phrase = found["phrase"].strip() if found else ""
-    if not phrase or owns(container, phrase.split()[-1]):
-        return "", end
-    return phrase, end + len(found[0].rstrip()) if found else end
 
 
 def portion(noun: str, phrase: str) -> str:
