@@ -21,7 +21,7 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
-from core.guidance.builtin.words.count_words import CONTAINED, HEAPED, MIXED
+from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
@@ -40,7 +40,7 @@ _RELATIONS: dict[Place, Relation] = {
     "in": "bears",
     "by": "beside",
 }
-_HOW_MANY = {"three on": "three ", "heaped on": "a heap of "}
+_MANY: dict[Place, tuple[int, Order]] = {"three on": (FEW, "row"), "heaped on": (HEAPED, "heap")}
 _BOX = re.compile(
     r"^(\s*(?:an?|the|my|some)?(?: (?!cardboard\b)[\w-]+){0,3}? )box(?= (?:of|with|full|filled)\b)",
     re.IGNORECASE,
@@ -160,8 +160,11 @@ class _Search:
         """What is listed, as one or two; nothing where there is no room for it."""
         if not item.place or len(found) >= MOST:
             return []
-        phrase = f"{_HOW_MANY.get(item.place, '')}{item.phrase}"
+        many = _MANY.get(item.place)
+        phrase = fillings.named(item.phrase).phrase if many else item.phrase
         one = self._taken(_RELATIONS[item.place], phrase, first, found)
+        if one and many:
+            one = one._replace(words=replace(one.words, count=many[0], order=many[1]))
         if one and item.place == "in":
             one = self._as_filling(one, first)
         if one is None:
