@@ -302,9 +302,9 @@ def mixtures_named(prompt: str) -> str:
     """The prompt with the kinds of what only says "fruit": a bowl of it."""
     before = _MIXED_BEFORE.match(prompt)
     if before:
-        prompt = (
-            f"{before['begin']}{before['container']} of {before['what']}{prompt[before.end() :]}"
-        )
+        name = f"{before['what']} {before['container']}".lower()
+        called = before[0] if look_up(name, SLOTS) else before["begin"] + before["container"]
+        prompt = f"{called} of {before['what']}{prompt[before.end() :]}"
     prompt = _LISTED_MIXED.sub(" of ", prompt)
     found = _MIXED.search(prompt)
     if found is None or _ANOTHER.search(prompt, 0, found.start()):
