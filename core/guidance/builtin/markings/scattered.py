@@ -20,6 +20,7 @@ SIZES, SMALLER = 5, 0.75  # that are tried, each so many times the one before
 APART = 2.9  # halves, from one middle to the next
 DEEP = 0.4  # halves: on the other side of a mug's wall there is none
 EVEN = 0.85  # the mean normal's length around a middle, at least
+OPPOSITE = -0.3  # cosine: a normal of the other side of a wall
 TRIED = 6000  # places
 TILT = math.radians(18)  # at most
 UPRIGHT = 0.9  # of a normal's z, from which "up" is to the back
@@ -84,7 +85,8 @@ def _apart(
         place = places[index]
         if found and np.linalg.norm(places[found] - place, axis=1).min() < APART * half:
             continue
-        around = normals[tree.query_ball_point(place, half)].mean(0)
+        around = normals[tree.query_ball_point(place, half)]
+        around = around[around @ normals[index] > OPPOSITE].mean(0)
         if np.linalg.norm(around) > EVEN and around @ normals[index] > EVEN:
             found.append(int(index))
     return found
