@@ -35,6 +35,7 @@ LEVEL = 0.8  # quantile of the heights under a foot that it rests on
 # share of the foot without ground; for each unit off the middle; for what stands in the way.
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
 FILLED, HEAPED = 0.78, 0.4  # of a container's width; of a heap's height, what is over the rim
+DEPTH = 0.75  # of a container's height, that it is deep
 OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps"
 SEAT = 0.8  # off the middle of what one sits in
 SUNK = 0.02  # training units, by which what rests goes into what is under it
@@ -162,8 +163,9 @@ def _filling(heap: Body, container: Body) -> Placement:
     wide = FILLED * float((_opening(container)[1][:2] / heap.sides[:2]).min())
     place = Placement.of(wide)
     there = heap.placed(place)
-    rim, _ = _opening(container)
-    up = torch.tensor([0.0, 0.0, HEAPED * float(there.sides[2])])
+    rim, sides = _opening(container)
+    high = float(there.sides[2])  # of which no more is in it than it is deep
+    up = torch.tensor([0.0, 0.0, max(HEAPED * high, high - DEPTH * float(sides[2]))])
     middle = there.box.mean(0)
     top = torch.stack([middle[0], middle[1], there.box[1, 2]])
     return place.moved(rim - top + up)
