@@ -35,7 +35,7 @@ LEVEL = 0.8  # quantile of the heights under a foot that it rests on
 # share of the foot without ground; for each unit off the middle; for what stands in the way.
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
 FILLED, HEAPED = 0.78, 0.4  # of a container's width; of a heap's height, what is over the rim
-DEPTH = 0.75  # of a container's height, that it is deep
+DEPTH = 0.55  # of a container's height, that a heap is in it at most: it narrows below
 OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps"
 SEAT = 0.8  # off the middle of what one sits in
 SUNK = 0.02  # training units, by which what rests goes into what is under it
