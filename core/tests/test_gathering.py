@@ -244,3 +244,22 @@ def test_what_is_on_an_island_stands_on_its_ground():
     there = island.placed(own)
     grass = there.of_parts("grass")[:, 2].max()
     assert float(house.placed(at).box[0, 2]) < float(grass) + 0.05
+
+
+def test_a_heap_does_not_look_out_under_a_bowl():
+    bowl = body("a bowl")
+    oranges, bananas = (several(f"{one}", 4, "heap")[0] for one in ("an orange", "a banana"))
+    (own,), *places = arranged(bowl, [("bears", oranges), ("bears", bananas)])
+    there = bowl.placed(own)
+    middle = there.box.mean(0)[:2]
+    high = (there.verts[:, 2] - there.box[0, 2]) / there.sides[2]
+    wide = (there.verts[:, :2] - middle).norm(dim=1)
+    for thing, at in zip((oranges, bananas), places, strict=True):
+        heap = thing.group(at).verts
+        up = (heap[:, 2] - there.box[0, 2]) / there.sides[2]
+        assert float(up.min()) > 0.3
+        for low in torch.arange(0.3, 0.9, 0.1):
+            layer = (high >= low) & (high < low + 0.1)
+            here = (up >= low) & (up < low + 0.1)
+            outer = (heap[here, :2] - middle).norm(dim=1)
+            assert (outer < wide[layer].max()).all()

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from functools import partial
-from unittest import mock
 
 import pytest
 import torch
@@ -12,17 +11,18 @@ from core.errors import UserError
 from core.guidance.builtin.network import UNet, UNetConfig
 from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.solid_net import KINDS, SolidNet, SolidNetConfig
-from core.prior import solid_kinds, solid_training
+from core.prior import solid_training
 from core.prior.data import ADJECTIVES, NOUNS, PART_STATES, write_shard
 from core.prior.learnt_rows import LearntRows
 from core.prior.solid_data import write_solids
 from core.prior.solid_kinds import Kinds, kind_rows, kinds_of
-from core.prior.solid_training import WORDS, Autoencoder, SolidSource, SolidTraining, solid_loss
+from core.prior.solid_training import Autoencoder, SolidSource, SolidTraining, solid_loss
 from core.prior.sources import Geometry
 from core.prior.train import TrainConfig, Training
+from core.tests.small_solids import knowing, words_of
 
 FEW = 8  # nouns of the small networks of solids, the first ones
-FEW_WORDS = (FEW, *WORDS[1:3], KINDS * FEW)
+FEW_WORDS = words_of(FEW)
 SOLID = SolidNetConfig(FEW_WORDS, latent=4, embedding=16, widths=(16, 16, 8, 8), hidden=16)
 PICTURES = UNetConfig(
     words=(len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1), widths=(8, 8, 16, 16), code=16
@@ -33,11 +33,7 @@ CONFIG = TrainConfig(batch=2, minutes=60, warm_up=1)
 @pytest.fixture(scope="module", autouse=True)
 def few_nouns() -> Iterator[None]:
     """The tables of all nouns are large."""
-    with (
-        mock.patch.object(solid_training, "WORDS", FEW_WORDS),
-        mock.patch.object(solid_training, "NOUNS", NOUNS[:FEW]),
-        mock.patch.object(solid_kinds, "NOUNS", NOUNS[:FEW]),
-    ):
+    with knowing(FEW):
         yield
 
 

@@ -171,6 +171,13 @@ def test_what_is_said_beside_the_drawing_is_read():
     assert words.emblems[0].color_form == "crimson" and not words.color
 
 
+def test_a_comma_behind_a_drawing_keeps_what_follows_apart():
+    """A pirate ship was a cannon, and a crate with an open lid refused."""
+    ship = parse("a pirate ship with a skull on the sail, cannons poking out")
+    assert (ship.noun, [str(one) for one in ship.emblems]) == ("pirate ship", ["skull"])
+    assert parse("a crate with FRAGILE stamped on the side, lid a bit open").noun == "crate"
+
+
 def test_what_was_understood_has_the_drawing():
     assert understood("a tombstone that says RIP")["emblems"] == ['"RIP"']
     assert understood("a shield with a red cross")["emblems"] == ["red cross"]
@@ -193,7 +200,8 @@ def test_a_prompt_with_nothing_but_a_drawing_is_of_no_thing():
         ("a race car with number 7 and a driver", ['"7"'], "a race car with a driver"),
         ("a dog with a paw print collar", ["paw print"], "a dog with a collar"),
         ("a crate labeled TNT and made of oak", ['"TNT"'], "a crate and made of oak"),
-        ("a mug with a heart, made of clay", ["heart"], "a mug made of clay"),
+        ("a mug with a heart, made of clay", ["heart"], "a mug, made of clay"),
+        ("a boat with an anchor on the sail, white", ["anchor"], "a boat, white"),
         ("a staff with a star on top", [], "a staff with a star on top"),
         ("a 'medieval' sword", [], "a 'medieval' sword"),
         ('a "low poly" fox', [], 'a "low poly" fox'),

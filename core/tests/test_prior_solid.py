@@ -57,7 +57,6 @@ from core.prior.solid_kinds import compared, kind_rows, kinds_of, nearest_kind
 from core.prior.solid_training import (
     INSIDE,
     STEEPNESS,
-    WORDS,
     Autoencoder,
     SolidSource,
     SolidTraining,
@@ -71,11 +70,12 @@ from core.prior.solid_training import (
     trained_solid_net,
 )
 from core.prior.train import TrainConfig, Training
+from core.tests.small_solids import knowing, words_of
 
 NOUN = ["mug", "chair"]
 GRID = tet_grid(24)
 FEW = 12  # nouns of the small networks, the first ones
-FEW_WORDS = (FEW, *WORDS[1:3], KINDS * FEW)
+FEW_WORDS = words_of(FEW)
 TINY = SolidNetConfig(FEW_WORDS, latent=4, embedding=16, widths=(16, 16, 8, 8), hidden=16)
 
 
@@ -107,11 +107,7 @@ def coarse() -> Iterator[None]:
 @pytest.fixture(scope="module", autouse=True)
 def few_nouns() -> Iterator[None]:
     """The training knows no more nouns than its network has; the tables of all are large."""
-    with (
-        mock.patch.object(solid_training, "WORDS", FEW_WORDS),
-        mock.patch.object(solid_training, "NOUNS", NOUNS[:FEW]),
-        mock.patch.object(solid_kinds, "NOUNS", NOUNS[:FEW]),
-    ):
+    with knowing(FEW):
         yield
 
 

@@ -4,6 +4,7 @@ import pytest
 import torch
 
 from core.geometry.assembly import Forms, KnownParts
+from core.guidance.builtin.markings.drawn import alike
 from core.guidance.builtin.markings.scattered import APART, FEWEST, scattered_on
 from core.guidance.builtin.markings.windows import surface_places
 from core.guidance.builtin.words.vocabulary import parse
@@ -110,6 +111,18 @@ def test_a_mugs_hearts_are_outside_and_do_not_show_through_its_wall():
     behind = found.middles[inner] - 0.07 * found.outward[inner]
     alone = torch.cdist(behind, found.middles[~inner]).amin(1) > 1.5 * found.half
     assert (found.margin(behind[alone], "heart") < 0).all()
+
+
+def test_blue_flowers_on_what_is_blue_by_nature_are_seen():
+    """Of all parts that they lie on."""
+    for prompt, stays in (
+        ("a teapot with blue flowers", False),
+        ("a blue teapot with blue flowers", True),
+    ):
+        painted = shipped_prior().prompted(prompt, "").of_object(0).painted
+        on = [painted.paints[part] for part in painted.emblems[0].over]
+        assert on
+        assert any(alike(one.color, painted.emblems[0].paint.color) for one in on) is stays
 
 
 def test_hearts_on_a_mug_are_an_area_of_their_own():

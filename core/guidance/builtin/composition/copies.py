@@ -72,17 +72,16 @@ def mixed_heap(things: Sequence[Body]) -> list[list[Placement]]:
     """Several of several things in one heap, each as large as it is to the first."""
     scales = [Placement.of(sized(thing, things[0], *MIXED)) for thing in things]
     each = [thing.placed(scale) for thing, scale in zip(things, scales, strict=True)]
-    turns = [k for n in range(max(t.words.count for t in things)) for k in _with_more(things, n)]
+    # One of each, and again.
+    turns = [
+        k for _, k in sorted((n, k) for k, t in enumerate(things) for n in range(t.words.count))
+    ]
     wide = sum(_width(each[k]) for k in turns) / len(turns)
     piled = _piled([each[k] for k in turns], LYING, SPREAD * wide * math.sqrt(len(turns)))
     found: list[list[Placement]] = [[] for _ in things]
     for k, place in zip(turns, piled, strict=True):
         found[k].append(place.of_copy(scales[k]))
     return found
-
-
-def _with_more(things: Sequence[Body], number: int) -> list[int]:
-    return [k for k, thing in enumerate(things) if thing.words.count > number]
 
 
 def _width(thing: Body) -> float:

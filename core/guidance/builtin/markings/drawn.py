@@ -89,13 +89,14 @@ class Drawn:
         self.window: Window | None = None
         self.stripes: Float[Tensor, "2 3"] | None = None
         self.scattered: Scattered | None = None
+        self.over: list[int] = []  # the parts that it is put on
         if emblem.shape == STRIPES:
             self.on = worth.index(max(worth))
             self.stripes = parts.boxes()[self.on]
         elif emblem.is_scattered:
             self.on = worth.index(max(worth))
-            most = [part for part, much in enumerate(worth) if much >= MAIN * max(worth) > 0]
-            self.scattered = scattered_on(parts, most)
+            self.over = [part for part, much in enumerate(worth) if much >= MAIN * max(worth) > 0]
+            self.scattered = scattered_on(parts, self.over)
         else:
             taken = [one.window for one in before if one.window]
             self.window = window_on(parts, worth, wide / high, side, taken)
@@ -103,6 +104,8 @@ class Drawn:
                 worth = [_worth(paint, [], emblem) for paint in paints]
                 self.window = window_on(parts, worth, wide / high, side, taken)
             self.on = self.window.part if self.window else 0
+        if self.scattered is None:
+            self.over = [self.on]
         self.bears = [part for part, much in enumerate(worth) if much > 0]
         if self.stripes is not None:  # no helmet has them, and no wing
             self.bears = [self.on, *(k for k, x in enumerate(paints) if x.look.role == "*")]
@@ -115,12 +118,13 @@ class Drawn:
         return any(one is not None for one in (self.window, self.stripes, self.scattered))
 
     def make_seen(self, paints: list[Painted]) -> None:
-        """Change the paint that it is on, where that has its colour by nature."""
-        on = paints[self.on]
-        seen = differ(on.color, self.paint.color) and not alike(on.color, self.paint.color)
-        if not (on.colored or on.material or seen):
-            other = companion(self.paint.color)
-            paints[self.on] = on._replace(color=other, second=other, pattern="", colored=True)
+        """Change the paints that it is on, where these have their colour by nature."""
+        for part in self.over:
+            on = paints[part]
+            seen = differ(on.color, self.paint.color) and not alike(on.color, self.paint.color)
+            if not (on.colored or on.material or seen):
+                other = companion(self.paint.color)
+                paints[part] = on._replace(color=other, second=other, pattern="", colored=True)
 
     def __call__(
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]

@@ -152,12 +152,6 @@ _NOT_HELD = (
     | frozenset(GROUPS["Furniture"]) - {"pillow", "lamp", "mirror"}
 )
 
-BY_IT = (
-    "(?:next to|beside|near|behind|in front of|around|(?:leaning|propped) (?:up )?"
-    "(?:against|on)) (?:it|them)|"
-    "(?:at|by|on) (?:its|each|either|one|both) sides?(?! of)"
-)
-
 
 def is_dressed(noun: str) -> bool:
     """Whether it may wear or hold something: what is alive, its likeness, or a funny fruit."""

@@ -7,15 +7,14 @@ import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import NamedTuple
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
+from core.guidance.builtin.words.companion_fit import Found, Reader, fitting, is_part
 from core.guidance.builtin.words.companion_openers import (
     Opener,
     Relation,
     ends_in_doing,
-    ends_in_name,
     named_in,
     openers_in,
 )
@@ -24,15 +23,12 @@ from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
 from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
-from core.guidance.builtin.words.lexicon import SLOTS, Entry, look_up
-from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.tokens import DOING
-from core.guidance.builtin.words.whereabouts import Place, place_of
+from core.guidance.builtin.words.whereabouts import BY_IT, Place, place_of
 
 MOST = 4  # with one thing
 LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
-_PLACING = ("on", "in")  # of which a thing has one
 _RELATIONS: dict[Place, Relation] = {
     "on": "bears",
     "three on": "bears",
@@ -41,32 +37,7 @@ _RELATIONS: dict[Place, Relation] = {
     "by": "beside",
 }
 _MANY: dict[Place, tuple[int, Order]] = {"three on": (FEW, "row"), "heaped on": (HEAPED, "heap")}
-_BOX = re.compile(
-    r"^(\s*(?:an?|the|my|some)?(?: (?!cardboard\b)[\w-]+){0,3}? )box(?= (?:of|with|full|filled)\b)",
-    re.IGNORECASE,
-)
 _HAVING = ("holds", "beside", "bears")
-_DRIVING = ("driving", "drives", "drive")
-
-
-class Found(NamedTuple):
-    """What goes with the thing, as it was written and as it was read."""
-
-    relation: Relation
-    phrase: str
-    words: Words
-    verb: str = ""  # what the first does there
-
-
-class Read(NamedTuple):
-    """What a phrase names: the entry of its thing, and all that is said of it."""
-
-    entry: Entry
-    words: Words
-    said: str = ""  # of how many there are
-
-
-Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
 
 
 _PLACES = {
@@ -88,7 +59,7 @@ _PLACED = re.compile(
     rf"(?:{_WHOSE} (?:(?:one|left|right|front|two|little|tiny|big) )?(?P<place>"
     rf"{'|'.join(_PLACES.values())})(?! of)))"
     r"|on top of (?P<over>it|them)|on (?P<it>it|them)|in(?:side)? (?P<within>it|them)"
-    rf"|(?P<by>{known_as.BY_IT})"
+    rf"|(?P<by>{BY_IT})"
     r"|(?:on|at) (?:the |its )?(?P<top>top)"
     r"(?: of it)?)(?![\w-])",
     re.IGNORECASE,
@@ -135,11 +106,10 @@ class _Search:
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a lamp, a laptop and a mug"."""
-        boxed = _BOX.sub(rf"\g<1>{known_as.BOX}", prompt)
-        got = listed_in(boxed, self._first_of, self._is_own)
-        if got is None or any(start <= got.start < end for _, start, end in drawn_in(boxed)):
+        got = listed_in(prompt, lambda text: self._holding(text)[0], self._is_own)
+        if got is None or any(start <= got.start < end for _, start, end in drawn_in(prompt)):
             return [], prompt
-        first = self._first_of(boxed[: got.start])
+        first, before = self._holding(prompt[: got.start])
         taken: list[Found] = []
         kept: list[str] = []
         for item in got.items:
@@ -149,12 +119,22 @@ class _Search:
         if not taken or (first == fillings.PLATE and kept):
             return [], prompt
         left = [f"with {' and '.join(kept)}"] if kept else []
-        return taken, _cut(boxed, got.start, got.end, left)
+        whole, start = before + prompt[got.start :], len(before)
+        return taken, _cut(whole, start, start + got.end - got.start, left)
+
+    def _holding(self, text: str) -> tuple[str, str]:
+        """The thing that a text names first and that holds something, and the text that names it
+        so: a box is one of cardboard."""
+        first = self._first_of(text)
+        if first == "cube":  # as a box is read by itself
+            text = known_as.as_container(text.rstrip()) + " "
+            first = self._first_of(text)
+        return first, text
 
     def _is_own(self, phrase: str, first: str) -> bool:
         """Whether it names what the first thing has by itself, or nothing that is known."""
         got = self._read(phrase)
-        return got is None or _is_part(got.entry, first)
+        return got is None or is_part(got.entry, first)
 
     def _at_place(self, item: Item, first: str, found: list[Found]) -> list[Found]:
         """What is listed, as one or two; nothing where there is no room for it."""
@@ -162,7 +142,7 @@ class _Search:
             return []
         many = _MANY.get(item.place)
         phrase = fillings.named(item.phrase).phrase if many else item.phrase
-        one = self._taken(_RELATIONS[item.place], phrase, first, found)
+        one = fitting(self._read, _RELATIONS[item.place], phrase, first, found)
         if one and many:
             one = one._replace(words=replace(one.words, count=many[0], order=many[1]))
         if one and item.place == "in":
@@ -198,7 +178,7 @@ class _Search:
             clause = re.split(r"[,;.!?]", prompt[: match.start()])[-1]
             if not said.get("place") and self._has_opener(clause):
                 continue
-            one = self._taken(relation, match["phrase"].strip(), first, found)
+            one = fitting(self._read, relation, match["phrase"].strip(), first, found)
             if one and said.get("within"):
                 one = self._as_filling(one, first)
             if one:
@@ -219,7 +199,9 @@ class _Search:
             rest = fillings.portion(food.words.noun, phrase) if food else ""
             if not rest or plate is None or self._first_of(prompt[:start]):
                 continue
-            if one := self._taken("on", match["plate"], food.words.noun if food else "", found):
+            if one := fitting(
+                self._read, "on", match["plate"], food.words.noun if food else "", found
+            ):
                 gap = " " if match[0].endswith(" ") else ""
                 return [one], f"{prompt[:start]}{rest}{gap}{prompt[match.end() :]}"
         return [], prompt
@@ -230,11 +212,8 @@ class _Search:
         for match in fillings.FILLED.finditer(prompt):
             if any(start <= match.start() < end for _, start, end in drawn):
                 continue
-            before, phrase = prompt[: match.start()], match["phrase"].strip()
-            first = self._first_of(before)
-            if first == "cube":  # as a box is read by itself
-                before = known_as.as_container(before.rstrip()) + " "
-                first = self._first_of(before)
+            phrase = match["phrase"].strip()
+            first, before = self._holding(prompt[: match.start()])
             later = self._is_later(prompt, match.start())
             full = any(one.relation == "bears" for one in found)
             # "A pot of flowers" is a name by itself.
@@ -242,7 +221,7 @@ class _Search:
             named = look_up(f"{bare} {match['way']} {phrase}".lower(), SLOTS) is not None
             if later or full or named or not fillings.may_fill(first, match["way"], phrase):
                 continue
-            one = self._taken("bears", fillings.named(phrase).phrase, first, found)
+            one = fitting(self._read, "bears", fillings.named(phrase).phrase, first, found)
             whole, start = before + prompt[match.start() :], len(before)
             if one and (one := self._as_filling(one._replace(phrase=phrase), first)):
                 return [one], _cut(whole, start, start + len(match[0].rstrip()), [])
@@ -274,7 +253,9 @@ class _Search:
             for begin, end in items(prompt, opener, openers, first):
                 phrase = prompt[begin:end].strip()
                 both = [*found, *taken]
-                one = self._taken(opener.relation, phrase, first, both, opener.verb, opener.weak)
+                one = fitting(
+                    self._read, opener.relation, phrase, first, both, opener.verb, opener.weak
+                )
                 away = one and opener.weak and one.relation in _HAVING
                 if one and len(both) < MOST and not (away and _ELSEWHERE.match(prompt, end)):
                     taken.append(one)
@@ -310,69 +291,6 @@ class _Search:
             return "wears"
         return "bears" if where in ("head", "back") or place == "nose" else None
 
-    def _taken(
-        self,
-        relation: Relation,
-        phrase: str,
-        first: str,
-        found: list[Found],
-        verb: str = "",
-        weak: bool = False,
-    ) -> Found | None:
-        """What the phrase names, if it may be with the first thing so."""
-        if verb in _DRIVING and named_in(phrase) in known_as.CONTAINERS:
-            relation = "in"
-        if relation == "in":
-            relation = known_as.as_meant(named_in(phrase))
-        if relation in _PLACING and any(one.relation in _PLACING for one in found):
-            return None
-        if relation in _PLACING and known_as.is_no_place(phrase):
-            return None
-        if relation == "in":
-            phrase = known_as.as_container(phrase)
-        if weak and relation == "wears" and not is_dressed(first):
-            return None
-        got = self._read(phrase)
-        if got is None or got.entry.form in known_as.GROWN:
-            return None
-        other, words = got.words.noun, got.words
-        if weak and relation == "wears" and other not in known_as.WORN:  # "a girl with a kite"
-            meant = known_as.has_with(first, got.entry.form, other)
-            if meant is None or not ends_in_name(phrase, other):
-                return None
-            relation = meant
-        heaped = words.count > 1 and words.order != "row"
-        if relation == "in" and words.order == "heap":  # "in a pile of leaves"
-            relation = "on"
-        if relation == "holds" and other in known_as.ON_BACKS:
-            relation = "wears"
-        hats = [
-            one for one in found if one.relation == "wears" and one.words.noun in known_as.HEADWEAR
-        ]
-        if relation == "wears" and other in known_as.HEADWEAR and hats:  # one has one head
-            return None
-        # A hat of its own is taken off for another kind of hat, and left on for "a hat".
-        own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
-        another = relation == "wears" and other in known_as.HEADWEAR and not own
-        anew = relation == "wears" and known_as.is_put_on(first, other)
-        if not another and not anew and _is_part(got.entry, first):
-            return None
-        is_so = {
-            "on": lambda: known_as.may_bear(other, first, heaped),
-            "in": lambda: known_as.may_contain(other, first),
-            "wears": lambda: known_as.may_wear(first, other),
-            "holds": lambda: (
-                is_dressed(first)
-                and first not in known_as.NO_HANDS
-                and known_as.is_held(other, verb)
-            ),
-            "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
-            "beside": lambda: other != first,
-        }
-        if relation in ("wears", "holds"):
-            words = _alone(words, got.said)
-        return Found(relation, phrase, words, verb) if is_so[relation]() else None
-
 
 def _shared_out(found: list[Found]) -> list[Found]:
     """Of what fills a container together there is less of each."""
@@ -394,19 +312,6 @@ def _on_both_sides(one: Found, where: str) -> list[Found]:
         return [one]
     rest = half if twice else one.words.count - half
     return [one._replace(words=replace(one.words, count=count)) for count in (rest, half)]
-
-
-def _alone(words: Words, said: str) -> Words:
-    """Of what is worn or held there is one."""
-    notes = [f"{said}: one thing is made at a time."] if said and words.count > 1 else []
-    return replace(words, count=1, order="row", notes=(*words.notes, *notes))
-
-
-def _is_part(entry: Entry, first: str) -> bool:
-    """Whether the other thing is a part that the first has anyway: a knight's sword."""
-    part = as_part(entry, first) and not is_wide(first, entry.form)
-    # A cactus has a pot of its own, whatever it is of.
-    return bool(part) or owns(first, entry.form.split()[-1]) or is_within(first, entry.form)
 
 
 def _cut(

@@ -244,7 +244,7 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
         if _BEHIND.match(prompt, start) or _SHAPE.match(also, 1):
             after = also
         rest = re.sub(r"\s+", " ", f"{prompt[:start]} {after}").strip(" ,")
-        rest = re.sub(r" and$|,? and(?=,)| ,(?= )", "", rest)
+        rest = re.sub(r" and$|,? and(?=,)", "", rest).replace(" ,", ",")
         if emblem.shape not in but and re.search("[a-z]{2}", rest, re.IGNORECASE):
             return emblem, rest
     return None, prompt

@@ -30,17 +30,15 @@ _PHRASE = (
     rf"(?P<phrase>(?:(?:{_COLOR}),? and )?"
     r"(?:(?!(?:on|in|and|with|that|which)\b)[\w'-]+ ?){1,6})"
 )
-_FULL = (
+FULL = (
     r"(?:(?:completely|half) )?(?:full of|full with|(?:filled|packed|overflowing|brimming|loaded|"
     r"stuffed|heaped|piled|bursting|laden)(?: to the (?:brim|top)| up| high)? with|"
     r"full to the (?:brim|top) (?:with|of)|containing)"
 )
-FILLED = re.compile(
-    rf"(?<![\w-])(?P<way>{_FULL}|of|with|holding|carrying) {_PHRASE}", re.IGNORECASE
-)
+FILLED = re.compile(rf"(?<![\w-])(?P<way>{FULL}|of|with|holding|carrying) {_PHRASE}", re.IGNORECASE)
 SERVED = re.compile(
     r"(?<![\w-])(?P<plate>(?:(?:an?|the) )?(?:(?!of\b)[\w'-]+ ){0,3}?(?:plate|platter|tray|dish)) "
-    rf"(?:{_FULL}|of|with) {_PHRASE}",
+    rf"(?:{FULL}|of|with) {_PHRASE}",
     re.IGNORECASE,
 )
 FISH = frozenset("fish clownfish koi starfish".split())

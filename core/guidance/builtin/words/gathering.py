@@ -15,7 +15,7 @@ from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.whereabouts import LAID, STOVES, TOPS, Place, place_of
+from core.guidance.builtin.words.whereabouts import BY_IT, LAID, STOVES, TOPS, Place, place_of
 
 _COMPUTERS = re.compile(r"\b(?:computer|pc|laptop|monitor|keyboard)s?\b", re.IGNORECASE)
 _POT = re.compile(
@@ -34,12 +34,9 @@ _POSTURE = r"(?:(?:[a-z]+(?:ing|ed)|asleep|built|stuck|set)(?: up)? )"
 _WHERE = re.compile(
     rf"\s{_POSTURE}?(?:"
     r"(?:on top of|on|upon|atop) (?:it|them)|(?:on|at) (?:the |its )?top(?: of it)?|"
-    r"on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface)|"
-    rf"(?P<within>in(?:side)? (?:it|them)|inside)|(?P<by>{known_as.BY_IT}))$",
+    r"(?P<edge>on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface))|"
+    rf"(?P<within>in(?:side)? (?:it|them)|inside)|(?P<by>{BY_IT}))$",
     re.IGNORECASE,
-)
-_AT = re.compile(
-    r" on (?:the|its|a|one) (?:edge|rim|seat|cushion|branch|mantel|surface)$", re.IGNORECASE
 )
 _PERCHED = re.compile(r" on (?:the|its|an?|one) (?:[\w-]+ )?[\w-]+$", re.IGNORECASE)
 LOOKED_AT = 12  # of a prompt's clauses: all before are read for each
@@ -48,16 +45,9 @@ _UNDER = re.compile(r" (?:under|below|beneath|underneath)\b", re.IGNORECASE)
 _SAID = re.compile(
     r" (?:that|in|on|over|under|above|from|for|melted|[a-z]{2,}ing|covered|stuck|asleep|full)\b"
 )
-_STUFFED = (
-    "full|filled|stuffed|packed|loaded|piled|heaped|overflowing|brimming|bursting|piled high|"
-    "filled to the brim"
-)
-_FULL = frozenset(
-    ("of", "laden with", *(f"{how} {of}" for how in _STUFFED.split("|") for of in ("of", "with")))
-)
-_ON, _BY, _HAS = frozenset(("topped with", "strewn with")), "surrounded by", ("holding", "carrying")
 _CLAUSE = re.compile(
-    rf"(?:(?<![\w-])(?P<way>with|having|that has|{_BY}|{'|'.join((*_HAS, *_ON, *_FULL))})|:) "
+    r"(?:(?<![\w-])(?:with|having|that has|(?P<on>topped with|strewn with)|(?P<by>surrounded by)|"
+    rf"(?P<has>holding|carrying)|(?P<of>of)|(?P<full>{fillings.FULL}))|(?P<colon>:)) "
     r"(?=(?P<list>[^.;:!?()\"“]+))",
     re.IGNORECASE,
 )
@@ -181,52 +171,54 @@ class _Part(NamedTuple):
     text: str  # all of it, with the place
     end: int  # in the list
     where: Place = ""  # as is said
+    edge: bool = False  # on the first thing's edge, its seat
 
 
-IsOwn = Callable[[str, str], bool]
-
-
-def _placed(before: str, clause: re.Match[str], first: str, is_own: IsOwn) -> list[_Part]:
+def _placed(
+    before: str, clause: re.Match[str], first: str, is_own: Callable[[str, str], bool]
+) -> list[_Part]:
     """What the clause lists up to the last that has a place, with the places; nothing where it is
     to stay."""
-    way, text = (clause["way"] or ":").lower(), clause["list"]
-    on, by = way in _ON, way == _BY
-    full = way in _FULL and (way == "of" or first not in TOPS)
-    parts = _parts(re.split(",? with ", text)[0] if full or on or by else text)
-    several, said = len(parts) > 1, parts[-1].where
-    if (way == ":" and first not in TOPS) or (way in _HAS and known_as.is_dressed(first)):
+    text, full = clause["list"], clause["of"] or (clause["full"] and first not in TOPS)
+    alone = full or clause["on"] or clause["by"]  # what "with" begins is another list
+    parts = _parts(re.split(",? with ", text)[0] if alone else text)
+    if _is_read_otherwise(clause, first, parts) or (full and not _is_full(before, first, parts)):
         return []
-    if full and not (several and _is_full(before, first, parts)):
-        return []
-    if said and not several and not _AT.search(text):
-        return []  # as it is read anyway
-    if said == "on" and known_as.is_pictured(first) and first not in TOPS:
-        return []
-    of_last = said == "by" or _AT.search(text)  # "and a crow on the edge"
+    if full:
+        return [part._replace(where="in") for part in parts]
+    bare = bool(clause["colon"]) or (len(parts) > 1 and first in TOPS)
+    last = parts[-1]
+    of_all = "by" if clause["by"] else "" if last.edge or last.where == "by" else last.where
     found = []
-    for k, part in enumerate(parts):
+    for part in parts:
         whole = _as_meant(first, part.phrase, text)
-        is_one = _names(whole, bare=way == ":" or (several and first in TOPS))
+        is_one = _names(whole, bare)
         place: Place = "" if is_own(whole, first) else place_of(first, whole, is_one)
-        if _UNDER.search(part.text):
+        if first in LAID and _may_be_drawn(whole):  # a rug with a tiger
             place = ""
-        elif place == "on" and not said and first in LAID and _may_be_drawn(whole):
-            place = ""  # a rug with a tiger
-        elif full:
-            place = "in"
-        elif _PERCHED.search(part.text) and is_creature(named_in(whole)):
+        if is_one:
+            place = of_all or part.where or place or ("on" if clause["on"] else "")
+        if _PERCHED.search(part.text) and is_creature(named_in(whole)):
             place = "on"
-        elif (by or (said and (k == len(parts) - 1 or not of_last))) and is_one:
-            place = "by" if by else said
-        elif on and not place and is_one:
-            place = "on"
-        found.append(part._replace(where=place))
-    is_meal = not several and named_in(parts[0].phrase) in known_as.EDIBLE
-    if first == PLATE and (is_meal or not all(one.where for one in found)):
+        found.append(part._replace(where="" if _UNDER.search(part.text) else place))
+    if first == PLATE and not all(one.where for one in found):
         return []  # the food is the thing
     while found and not found[-1].where:
         found.pop()
     return found
+
+
+def _is_read_otherwise(clause: re.Match[str], first: str, parts: list[_Part]) -> bool:
+    """Whether it is no list for here: of one with its place, of what somebody holds, of a meal, of
+    pictures."""
+    several, last = len(parts) > 1, parts[-1]
+    if (clause["colon"] and first not in TOPS) or (clause["has"] and known_as.is_dressed(first)):
+        return True
+    if not several and ((last.where and not last.edge) or clause["of"] or clause["full"]):
+        return True
+    if first == PLATE and not several and named_in(last.phrase) in known_as.EDIBLE:
+        return True
+    return last.where == "on" and known_as.is_pictured(first) and first not in TOPS
 
 
 def _may_be_drawn(phrase: str) -> bool:
@@ -262,7 +254,8 @@ def _parts(text: str) -> list[_Part]:
         if where:
             said = "in" if where["within"] else "by" if where["by"] else "on"
         alone = _by_itself(phrase)
-        found.append(_Part(alone, phrase[len(alone) :], whole, stop, said))
+        edge = bool(where and where["edge"])
+        found.append(_Part(alone, phrase[len(alone) :], whole, stop, said, edge))
         if where or join is None:
             return found
         at = join.end()

@@ -19,9 +19,10 @@ from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.asking import asked_for
+from core.guidance.builtin.words.companion_fit import Found, Read
 from core.guidance.builtin.words.companion_openers import is_doing
 from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
-from core.guidance.builtin.words.companions import MOST, Found, Read, companions_in
+from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row

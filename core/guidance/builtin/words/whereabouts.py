@@ -16,6 +16,12 @@ from core.guidance.builtin.words.sizes import usual
 
 # Of the first thing, some of it in a row or in a heap; "" is none that is clear.
 Place = Literal["on", "three on", "heaped on", "in", "by", ""]
+# How a prompt says that it stands beside the thing.
+BY_IT = (
+    "(?:next to|beside|near|behind|in front of|around|(?:leaning|propped) (?:up )?"
+    "(?:against|on)) (?:it|them)|"
+    "(?:at|by|on) (?:its|each|either|one|both) sides?(?! of)"
+)
 # On these things stand, and are not painted.
 TOPS = frozenset(
     (

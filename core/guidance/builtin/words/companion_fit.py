@@ -1,0 +1,111 @@
+"""Whether what a phrase names may be with the first thing of a prompt, and how.
+
+Standard library only.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+from core.guidance.builtin.words import companion_words as known_as
+from core.guidance.builtin.words.companion_openers import Relation, ends_in_name, named_in
+from core.guidance.builtin.words.companion_words import is_dressed
+from core.guidance.builtin.words.lexicon import Entry
+from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
+from core.guidance.builtin.words.slots import Words
+
+_PLACING = ("on", "in")  # of which a thing has one
+_DRIVING = ("driving", "drives", "drive")
+
+
+class Found(NamedTuple):
+    """What goes with the thing, as it was written and as it was read."""
+
+    relation: Relation
+    phrase: str
+    words: Words
+    verb: str = ""  # what the first does there
+
+
+class Read(NamedTuple):
+    """What a phrase names: the entry of its thing, and all that is said of it."""
+
+    entry: Entry
+    words: Words
+    said: str = ""  # of how many there are
+
+
+Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
+
+
+def fitting(
+    read: Reader,
+    relation: Relation,
+    phrase: str,
+    first: str,
+    found: list[Found],
+    verb: str = "",
+    weak: bool = False,
+) -> Found | None:
+    """What the phrase names, if it may be with the first thing so, beside what is ``found``."""
+    if verb in _DRIVING and named_in(phrase) in known_as.CONTAINERS:
+        relation = "in"
+    if relation == "in":
+        relation = known_as.as_meant(named_in(phrase))
+    if relation in _PLACING and any(one.relation in _PLACING for one in found):
+        return None
+    if relation in _PLACING and known_as.is_no_place(phrase):
+        return None
+    if relation == "in":
+        phrase = known_as.as_container(phrase)
+    if weak and relation == "wears" and not is_dressed(first):
+        return None
+    got = read(phrase)
+    if got is None or got.entry.form in known_as.GROWN:
+        return None
+    other, words = got.words.noun, got.words
+    if weak and relation == "wears" and other not in known_as.WORN:  # "a girl with a kite"
+        meant = known_as.has_with(first, got.entry.form, other)
+        if meant is None or not ends_in_name(phrase, other):
+            return None
+        relation = meant
+    heaped = words.count > 1 and words.order != "row"
+    if relation == "in" and words.order == "heap":  # "in a pile of leaves"
+        relation = "on"
+    if relation == "holds" and other in known_as.ON_BACKS:
+        relation = "wears"
+    hats = [one for one in found if one.relation == "wears" and one.words.noun in known_as.HEADWEAR]
+    if relation == "wears" and other in known_as.HEADWEAR and hats:  # one has one head
+        return None
+    # A hat of its own is taken off for another kind of hat, and left on for "a hat".
+    own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
+    another = relation == "wears" and other in known_as.HEADWEAR and not own
+    anew = relation == "wears" and known_as.is_put_on(first, other)
+    if not another and not anew and is_part(got.entry, first):
+        return None
+    is_so = {
+        "on": lambda: known_as.may_bear(other, first, heaped),
+        "in": lambda: known_as.may_contain(other, first),
+        "wears": lambda: known_as.may_wear(first, other),
+        "holds": lambda: (
+            is_dressed(first) and first not in known_as.NO_HANDS and known_as.is_held(other, verb)
+        ),
+        "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
+        "beside": lambda: other != first,
+    }
+    if relation in ("wears", "holds"):
+        words = _only_one(words, got.said)
+    return Found(relation, phrase, words, verb) if is_so[relation]() else None
+
+
+def _only_one(words: Words, said: str) -> Words:
+    """Of what is worn or held there is one."""
+    notes = [f"{said}: one thing is made at a time."] if said and words.count > 1 else []
+    return replace(words, count=1, order="row", notes=(*words.notes, *notes))
+
+
+def is_part(entry: Entry, first: str) -> bool:
+    """Whether the other thing is a part that the first has anyway: a knight's sword."""
+    part = as_part(entry, first) and not is_wide(first, entry.form)
+    # A cactus has a pot of its own, whatever it is of.
+    return bool(part) or owns(first, entry.form.split()[-1]) or is_within(first, entry.form)
