@@ -157,6 +157,8 @@ def test_what_is_said_of_one_of_a_list_is_of_that():
     assert lamp == parse("a lamp with a red shade")
     assert [str(one) for one in mug.emblems] == ["hearts"]
     assert not table.emblems and not table.accents
+    _, others = with_it("a table with a basket of apples and oranges and a vase")
+    assert others == ["bears basket", "bears vase"]
 
 
 def test_what_is_said_of_one_and_not_made_is_left_out():
@@ -195,6 +197,8 @@ def test_three_on_a_desk_stand_apart_with_the_tallest_behind():
             apart = torch.maximum(one.box[0] - other.box[1], other.box[0] - one.box[1])[:2]
             assert float(apart.max()) > -0.02
     assert float(each[2].box[0, 1]) >= float(each[1].box[1, 1]) - 0.02
+    # The one that is alone in front is in the middle.
+    assert abs(float((each[1].box.mean(0) - below.box.mean(0))[0])) < 0.1 * float(below.sides[0])
 
 
 def test_two_beside_a_table_are_on_its_two_sides():
@@ -220,8 +224,10 @@ def test_two_kinds_fill_a_basket_as_one_heap():
     basket = body("a basket")
     (at,), *places = arranged(basket, [("bears", apple), ("bears", pear)])
     inside = basket.placed(at)
-    for thing, own in zip((apple, pear), places, strict=True):
-        group = thing.group(own)
+    groups = [thing.group(own) for thing, own in zip((apple, pear), places, strict=True)]
+    between = (groups[0].box.mean(0) - groups[1].box.mean(0))[:2].norm()
+    assert float(between) < 0.3 * float(groups[0].sides[:2].max())
+    for group in groups:
         assert (group.box[0, :2] > inside.box[0, :2]).all()
         assert (group.box[1, :2] < inside.box[1, :2]).all()
 
@@ -239,27 +245,29 @@ def test_a_sword_is_put_down_on_a_table_and_a_vase_stands():
 
 
 def test_what_is_on_an_island_stands_on_its_ground():
-    island, house = body("an island"), body("a house")
-    (own,), (at,) = arranged(island, [("bears", house)])
-    there = island.placed(own)
-    grass = there.of_parts("grass")[:, 2].max()
-    assert float(house.placed(at).box[0, 2]) < float(grass) + 0.05
+    """And not on its palm."""
+    island, things = body("an island"), [body(f"a {one}") for one in ("tree", "pagoda", "boat")]
+    (own,), *places = arranged(island, [("bears", thing) for thing in things])
+    grass = island.placed(own).of_parts("grass")[:, 2].max()
+    for thing, (at,) in zip(things, places, strict=True):
+        assert float(thing.placed(at).box[0, 2]) < float(grass) + 0.05
 
 
 def test_a_heap_does_not_look_out_under_a_bowl():
     bowl = body("a bowl")
-    oranges, bananas = (several(f"{one}", 4, "heap")[0] for one in ("an orange", "a banana"))
-    (own,), *places = arranged(bowl, [("bears", oranges), ("bears", bananas)])
+    kinds = [several(one, 4, "heap")[0] for one in ("an apple", "an orange", "a banana")]
+    (own,), *places = arranged(bowl, [("bears", kind) for kind in kinds])
     there = bowl.placed(own)
-    middle = there.box.mean(0)[:2]
-    high = (there.verts[:, 2] - there.box[0, 2]) / there.sides[2]
-    wide = (there.verts[:, :2] - middle).norm(dim=1)
-    for thing, at in zip((oranges, bananas), places, strict=True):
-        heap = thing.group(at).verts
-        up = (heap[:, 2] - there.box[0, 2]) / there.sides[2]
-        assert float(up.min()) > 0.3
-        for low in torch.arange(0.3, 0.9, 0.1):
-            layer = (high >= low) & (high < low + 0.1)
-            here = (up >= low) & (up < low + 0.1)
-            outer = (heap[here, :2] - middle).norm(dim=1)
-            assert (outer < wide[layer].max()).all()
+    low, high, middle = there.box[0, 2], there.sides[2], there.box.mean(0)[:2]
+
+    def up_and_out(verts: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+        return (verts[:, 2] - low) / high, (verts[:, :2] - middle).norm(dim=1)
+
+    up, out = up_and_out(there.verts)
+    for kind, at in zip(kinds, places, strict=True):
+        own_up, own_out = up_and_out(kind.group(at).verts)
+        assert float(own_up.min()) > 0
+        for step in range(19):
+            layer, here = ((of * 20).long() == step for of in (up, own_up))
+            if here.any():
+                assert float(own_out[here].max()) < float(out[layer].max()) - 0.01

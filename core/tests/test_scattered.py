@@ -5,7 +5,7 @@ import torch
 
 from core.geometry.assembly import Forms, KnownParts
 from core.guidance.builtin.markings.drawn import alike
-from core.guidance.builtin.markings.scattered import APART, FEWEST, scattered_on
+from core.guidance.builtin.markings.scattered import APART, FEWEST, HALF, scattered_on
 from core.guidance.builtin.markings.windows import surface_places
 from core.guidance.builtin.words.vocabulary import parse
 from core.tests.drawn_things import shipped_prior
@@ -94,6 +94,7 @@ def test_they_are_on_both_sides_of_a_thin_wall():
     found = scattered_on(wall, [0])
     assert found is not None and len(found.middles) >= FEWEST
     assert {float(side) for side in found.outward[:, 1].sign()} >= {-1.0, 1.0}
+    assert found.half == pytest.approx(HALF * 1.2, rel=0.05)  # no smaller for what is behind
 
 
 def test_a_part_that_is_not_asked_for_has_none(cube):
