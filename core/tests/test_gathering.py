@@ -221,6 +221,9 @@ def test_two_kinds_fill_a_basket_as_one_heap():
     # Neither is on one side by itself.
     middles = [torch.stack([p.shift for p in own]).mean(0)[:2] for own in (apples, pears)]
     assert float((middles[0] - middles[1]).norm()) < 0.6 * float(apple.sides[0])
+    # Nor is one on the ground, and the other on it.
+    high = [float(torch.stack([p.shift for p in own])[:, 2].mean()) for own in (apples, pears)]
+    assert abs(high[0] - high[1]) < 0.4 * float(apple.sides[2])
     basket = body("a basket")
     (at,), *places = arranged(basket, [("bears", apple), ("bears", pear)])
     inside = basket.placed(at)
