@@ -183,6 +183,8 @@ class TextureConfig:
     # Up to this max_faces the triangles are made even in size and shape; 0: never.
     even_faces: Annotated[int, Range(0, 100_000_000)] = 100_000
     samples: Annotated[int, Squares(1, 64)] = 4  # of one texel
+    # Of the edges that stand out, in the normal map, of the longest side; 0: sharp.
+    edge_radius: Annotated[float, Range(0, 0.1)] = 0.008
     # Width of the border inside an edited region, of the longest side.
     feather: Annotated[float, Range(0, 1)] = 0.02
 

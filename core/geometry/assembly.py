@@ -43,6 +43,7 @@ from core.geometry.primitives import FORMS, FRAMES, Points, Primitive
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
+from core.geometry.twins import Twin, across, mirrored_mesh, twins
 from core.geometry.union import is_solid, profile, union
 
 ALIKE = 1.25  # times the area of the least of pieces that may be the same
@@ -105,23 +106,28 @@ class KnownParts:
         self.distances, self.forms, self.wider = distances, forms, wider
         self._surfaces: dict[int, Mesh] = {}
         self._solids: dict[int, SolidMesh] = {}
+        self._twins: dict[int, Twin] = {}
 
     @cached_property
     def pieces(self) -> list[Piece]:
         """All that have a surface, as wide as they are looked at; of a part those that are alike
-        are so exactly."""
+        are so exactly. What mirrors another has no primitive of its own: it is that one's."""
         found = places_of(self._wide, len(self.forms.flat))
         drawn = [piece for place in found for piece in drawn_in(self._wide, place)]
         drawn = without_strays(drawn, self.forms)
+        self._twins = twins(self._wide, drawn)
         pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
-        pairs = [(piece, self._bladed(piece, one or self._turned(piece))) for piece, one in pairs]
-        told = [self._told(piece, one) for piece, one in pairs]
+        told = [
+            piece if index in self._twins else self._as_made(piece, one)
+            for index, (piece, one) in enumerate(pairs)
+        ]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
 
-    def _told(self, piece: Piece, one: Primitive | None) -> Piece:
-        """The piece with the primitive that it is; what is none yet without what breaks its
-        symmetry, and as layers where it is of such."""
+    def _as_made(self, piece: Piece, one: Primitive | None) -> Piece:
+        """The piece with the primitive that it is, ``one`` or another; what is none without what
+        breaks its symmetry, and as layers where it is of such."""
+        one = self._bladed(piece, one or self._turned(piece))
         if one is None:
             piece = repeated(self._wide, piece)
             one = self._layered(piece)
@@ -229,11 +235,19 @@ class KnownParts:
     def _surface(self, index: int) -> Mesh:
         """A piece's exact surface as wide as it is looked at, made once."""
         if index not in self._surfaces:
-            self._surfaces[index] = exact_surface(self, self.pieces[index])
+            piece, twin = self.pieces[index], self._twins.get(index)
+            self._surfaces[index] = (
+                mirrored_mesh(self._surface(twin.of), twin.axis)
+                if twin
+                else exact_surface(self, piece)
+            )
         return self._surfaces[index]
 
     def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
         """From a piece's exact surface, signed."""
+        if twin := self._twins.get(index):
+            there = self._distance(twin.of)
+            return lambda points: there(across(points, twin.axis))
         primitive = self.pieces[index].primitive
         if primitive is not None:
             return primitive.distance

@@ -24,6 +24,7 @@ LEAST_NODES = 4  # of a piece
 JOINED = np.zeros((3, 3, 3), bool)
 JOINED[:2, :2, :2] = JOINED[1:, 1:, 1:] = True
 ALSO = 0.25  # of the largest one's nodes, a piece's that is joined to it on the first lattice alone
+BRIDGE, SHORT = 0.4, 2.0  # errors: half as thick as a bridge is at most, and how far from a piece
 MARGIN = 1.6  # of its cell, around a piece
 # What the network leaves to be made exact is of about this size, and less on small pieces; in
 # twelfths of the piece's longest side.
@@ -122,8 +123,7 @@ def drawn_in(distances: Distances, place: Place) -> Iterator[Piece]:
 def _places_within(piece: Piece) -> Iterator[Place]:
     """Where the lattice of the piece's surface has pieces of about its size, each apart."""
     part, lattice = piece.place.part, piece.lattice
-    labels = np.zeros(lattice.values.shape, np.int32)
-    ndimage.label(lattice.values < 0, JOINED, output=labels)
+    labels = _labelled(piece)
     nodes = np.bincount(labels.ravel())[1:]
     for index, where in enumerate(ndimage.find_objects(labels)):
         if nodes[index] < ALSO * nodes.max():
@@ -132,6 +132,27 @@ def _places_within(piece: Piece) -> Iterator[Place]:
         low, high = ends + lattice.low + MARGIN * lattice.cell * np.array([[-1], [1]])
         away = _elsewhere(labels, index + 1, lattice.cell, lattice.low)
         yield Place(part, low, high, partial(_any_of, (piece.place.others, away)))
+
+
+def _labelled(piece: Piece) -> Int[np.ndarray, "n m k"]:
+    """The pieces among the lattice's nodes, numbered from 1; 0 outside.
+
+    What a bridge joins that is thinner than the errors is two: the gap between a dresser's rows of
+    drawers was mostly shut, and they became one roll.
+    """
+    values, cell = piece.lattice.values, piece.lattice.cell
+    inside, labels = values < 0, np.zeros(values.shape, np.int32)
+    ndimage.label(values < -BRIDGE * piece.error, JOINED, output=labels)
+    nodes = np.bincount(labels.ravel())[1:]
+    large = np.flatnonzero(nodes >= ALSO * nodes.max(initial=0)) + 1
+    if len(large) > 1:
+        labels[~np.isin(labels, large)] = 0
+        away, nearest = ndimage.distance_transform_edt(labels == 0, cell, return_indices=True)
+        if away[inside].max() <= SHORT * piece.error:  # or it is a thin sheet, and no bridge
+            grown = np.where(inside, labels[tuple(nearest)], 0)
+            return np.unique(grown, return_inverse=True)[1].reshape(values.shape).astype(np.int32)
+    ndimage.label(inside, JOINED, output=labels)
+    return labels
 
 
 def _any_of(each: Sequence[Elsewhere], points: Float[Tensor, "n 3"]) -> Tensor:

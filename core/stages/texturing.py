@@ -183,7 +183,8 @@ def bake_maps(
         material = evened(learnt, areas, mesh, evenness) if areas else learnt
         options = {"strength": strength, "size": size, "seed": seed}
         detail = detail_of(mesh, material, surfaces, areas, **options)
-        fine = FineSurface(shape.fine) if shape.fine else None
+        radius = config.texture.edge_radius
+        fine = FineSurface(shape.fine or mesh.mesh, radius) if shape.fine or radius else None
         return bake(
             mesh.mesh,
             material,

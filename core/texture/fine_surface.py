@@ -9,6 +9,7 @@ from torch import Tensor
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
 from core.ops import dot, normalize
+from core.texture.rounded import RoundedEdges
 from core.texture.simplify import oriented
 
 # Cosine to the coarse surface's normal: below it the nearest point is another side of a thin part.
@@ -19,13 +20,16 @@ EDGE_DEG = 50.0  # between two faces, from which they are shaded apart
 class FineSurface:
     """Normals of a fine mesh, found from points of a coarse one."""
 
-    def __init__(self, mesh: Mesh) -> None:
+    def __init__(self, mesh: Mesh, edge_radius: float = 0.0) -> None:
+        """``edge_radius``: of the edges that stand out, of the longest side; 0 leaves them sharp."""
         mesh = Mesh(*oriented(mesh.verts, mesh.faces))  # as the coarse one was
         self._verts = np.ascontiguousarray(mesh.verts.cpu().double().numpy())
         self._faces = np.ascontiguousarray(mesh.faces.cpu().numpy().astype(np.int64))
         self._normals = torch.from_numpy(self._by_corner(smooth_normals(mesh.verts, mesh.faces)))
         self._tree = igl.AABB()
         self._tree.init(self._verts, self._faces)
+        radius = edge_radius * float(np.ptp(self._verts, axis=0).max())
+        self._edges = RoundedEdges(self._verts, self._faces, radius) if radius else None
 
     def _by_corner(self, smooth: Float[Tensor, "v 3"]) -> Float[np.ndarray, "f 3 3"]:
         """Each corner's normal: the vertex's, or at an edge of the shape its own side's."""
@@ -54,6 +58,8 @@ class FineSurface:
         weights = weights.nan_to_num(1 / 3, 1 / 3, 1 / 3)
         fine = torch.einsum("nk,nkc->nc", weights, self._normals[torch.from_numpy(face)])
         fine = normalize(fine).to(points)
+        if self._edges:
+            fine = self._edges.normals(torch.from_numpy(at), fine)
         return torch.where(dot(fine, coarse) > SAME_SIDE, fine, coarse)
 
 

@@ -37,13 +37,17 @@ THIN, THIN_ROUNDS = 0.12, 8  # edge lengths: a face of less height is finer than
 ROUNDS = 5
 LAST_ROUNDS = 3  # in which no edge comes or goes
 # Cosines between two faces: a line of edges that bend by 40 degrees, by 50 somewhere, stays a line.
-BENT, SHARP = np.cos(np.radians(40.0)), np.cos(np.radians(50.0))
+BENT_DEG = 40.0
+BENT, SHARP = np.cos(np.radians(BENT_DEG)), np.cos(np.radians(50.0))
 SHORTEST_LINE = 4.0  # edge lengths: what is shorter is a ripple
 KINK = np.cos(np.radians(45.0))  # a line that turns by more is held there
 FLAT = 0.05  # quality of a sliver, whose direction says nothing
 BORDER_ROUNDS = 8
 MARGIN = 0.98  # of the faces asked for: the count at the end is not exact
-GRADE = 1.5  # edges are so many times longer in flat places and shorter in bent ones, at most
+MANY = 10_000  # faces
+# Edges in bent places and in flat ones, times the mean, at most; of many faces and of fewer.
+GRADE, COARSE_GRADE = (0.4, 1.5), (1 / 1.5, 1.5)
+FITTING = 8  # rounds, to so many faces
 SMOOTHING = 4  # rounds, of the curvature
 NEAR = 0.7  # edge lengths: the distance that two opposite halves of a right angle are apart
 AT_A_PLACE = 12  # faces of the surface that are near a face
@@ -67,7 +71,7 @@ def even(
     area = areas_and_normals(_doubles(fine[0]), fine[1].cpu().numpy())[0].sum()
     thin = THIN * length_of(area, count)
     verts, faces = without_thin(*simplify(*without_thin(*fine, thin), count, check), thin)
-    surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64))
+    surface = Surface(_doubles(shape.verts), shape.faces.cpu().numpy().astype(np.int64), count)
     check()
     new_verts, new_faces = remesh(_doubles(verts), faces.cpu().numpy(), surface, count)
     check()
@@ -159,11 +163,14 @@ def _doubles(verts: Float[Tensor, "v 3"]) -> Float[np.ndarray, "v 3"]:
 class Surface:
     """What the vertices are spread over: the mesh at its full resolution."""
 
-    def __init__(self, verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> None:
+    def __init__(
+        self, verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], count: int = MANY
+    ) -> None:
+        """``count``: of the faces that it is to have."""
         self.verts, self.faces = verts, np.ascontiguousarray(faces)
         self.areas, self.normals = areas_and_normals(verts, faces)
         self.middles = verts[faces].mean(1)
-        self.lengths = lengths(verts, faces, self.areas)
+        self.lengths = lengths(verts, faces, self.areas, count >= MANY)
         self.tree = igl.AABB()
         self.tree.init(self.verts, self.faces)
 
@@ -191,16 +198,27 @@ class Surface:
 
 
 def lengths(
-    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], areas: Float[np.ndarray, " f"]
+    verts: Float[np.ndarray, "v 3"],
+    faces: Int[np.ndarray, "f 3"],
+    areas: Float[np.ndarray, " f"],
+    many: bool,
 ) -> Float[np.ndarray, " v"]:
-    """Edge lengths for one distance between chord and arc everywhere, within GRADE of the mean.
+    """Edge lengths for one distance between chord and arc everywhere, times their mean.
+
+    A sharp edge is a line of the mesh, and bends nothing: each of its sides does by itself. With
+    few faces edges are as long as a leg is thick, and short ones at its edges keep it whole.
 
     Dunyach et al., "Adaptive Remeshing for Real-Time Mesh Deformation", 2013, §2.1.
     """
-    normal = smooth_normals(torch.from_numpy(verts), torch.from_numpy(faces)).numpy()
+    least, most = GRADE if many else COARSE_GRADE
+    if many:
+        sides = np.asarray(igl.per_corner_normals(verts, faces, BENT_DEG)).reshape(-1, 3, 3)
+    else:
+        sides = smooth_normals(torch.from_numpy(verts), torch.from_numpy(faces)).numpy()[faces]
     a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
     size = np.linalg.norm(verts[a] - verts[b], axis=1)
-    bend = np.linalg.norm(normal[a] - normal[b], axis=1) / np.maximum(size, 1e-30)
+    turn = np.linalg.norm(sides - np.roll(sides, -1, 1), axis=2).reshape(-1)
+    bend = turn / np.maximum(size, 1e-30)
     curvature = np.zeros(len(verts))
     for end in (a, b):
         np.maximum.at(curvature, end, bend)
@@ -210,8 +228,10 @@ def lengths(
     length = 1 / np.sqrt(np.maximum(curvature, 1e-9 * curvature.max() + 1e-30))
     # So many faces come out as without it: a face's area goes with the length's square.
     weight = np.bincount(faces.reshape(-1), np.repeat(areas, 3), len(verts))
-    length /= np.sqrt(weight.sum() / (weight / length**2).sum())
-    return length.clip(1 / GRADE, GRADE)
+    for _ in range(FITTING if many else 1):
+        graded = length.clip(least, most)
+        length /= np.sqrt(weight.sum() / (weight / graded**2).sum())
+    return length.clip(least, most)
 
 
 @dataclass

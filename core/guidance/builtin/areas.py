@@ -23,6 +23,8 @@ INSET = 0.06  # training units: what a picture's blur covers
 STEPS = 3  # on the way; each looks anew where the border is
 UNCLEAR = 2.5  # cells: where areas are as deep up to this, the lattice does not tell whose it is
 FLUSH = 0.015  # training units
+ALONG = 0.9  # cosine between two surfaces that run along each other
+TAP = 0.003  # training units
 LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
 STEEPEST = 3.0  # a margin's slope, at most: it is the difference of two distances
 
@@ -132,19 +134,36 @@ class SolidAreas:
         return moved
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, " n"]]:
-        """The area whose exact surface each point is on; or whose it is as it was drawn, where that
-        lies under a larger one's by no more than what is drawn is off: a pane in a wall. And by
-        how much more than of any other."""
+        """The area whose exact surface each point is on; or the smaller one whose surface lies
+        along that, under it by no more than what is drawn is off: a pane in a wall, but not an eye
+        that stands out of a head. And by how much more than of any other."""
         exact = self.near(points)[1]
-        owner = exact.argmax(1)
-        first, second = exact.topk(2, 1).values.T
-        beside = first - second < FLUSH  # where another may be meant
-        drawn = self.field(points[beside])[1].argmax(1)
-        mine = owner[beside]
-        behind = first[beside] - exact[beside].gather(1, drawn[:, None])[:, 0]
-        smaller = self.sizes[drawn] < self.sizes[mine]  # a wheel's rim is not the body's
-        owner[beside] = torch.where((behind < FLUSH) & smaller, drawn, mine)
-        return owner, first - second
+        first, second = exact.topk(2, 1)
+        owner, margin = second[:, 0].clone(), first[:, 0] - first[:, 1]
+        beside = margin < FLUSH  # where another may be meant
+        place, mine = points[beside], owner[beside]
+        drawn = self.field(place)[1]
+        other = drawn.argmax(1)
+        other = torch.where(other == mine, second[beside, 1], other)
+        under = first[beside, 0] - exact[beside].gather(1, other[:, None])[:, 0]
+        off = drawn.amax(1) - drawn.gather(1, other[:, None])[:, 0]
+        smaller = self.sizes[other] < self.sizes[mine]  # a wheel's rim is not the body's
+        flush = (under < FLUSH) & (off < FLUSH) & smaller
+        flush[flush.clone()] = self._along(place[flush], mine[flush], other[flush])
+        owner[beside] = torch.where(flush, other, mine)
+        return owner, margin
+
+    def _along(
+        self, points: Float[Tensor, "n 3"], one: Int[Tensor, " n"], other: Int[Tensor, " n"]
+    ) -> Bool[Tensor, " n"]:
+        """Whether the exact surfaces of two areas run along each other at each point."""
+        if not len(points):
+            return torch.zeros(0, dtype=torch.bool)
+        taps = TAP * torch.cat([torch.eye(3), -torch.eye(3)]).to(points)
+        around = torch.stack([self.near(points + tap)[1] for tap in taps])  # (6, n, a)
+        slopes = (around[:3] - around[3:]).movedim(0, 2)  # (n, a, 3)
+        rows = torch.arange(len(points))
+        return F.cosine_similarity(slopes[rows, one], slopes[rows, other], dim=1) > ALONG
 
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]

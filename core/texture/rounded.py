@@ -1,0 +1,121 @@
+"""Rounded edges in the normal map: no edge of a real thing is as sharp as a mesh's, and by the light
+along its edges a thing is seen to be made of something.
+
+On a fillet the normal turns from one side's to the other's. Here it does so evenly over the radius
+on each side of an edge that stands out, so that both sides have one normal on the edge itself, and
+three in a corner. Where a shape goes in, nothing is rounded: there one piece stands on another.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
+from torch import Tensor
+
+from core.ops import normalize
+
+SHARP_DEG = 35.0  # between two faces' normals: what bends less is smooth
+STEPS = 3  # samples of an edge in the length of the radius
+NEAREST = 16  # samples that a place looks at
+LONG = 8  # radii
+OWN_SIDE = 0.85  # cosine between a place's normal and that of the side that it is on
+SAME_SIDE = 0.9  # cosine between the other sides of two samples: they are of one edge
+AREA = 1e-7  # a face below it has no normal that is to be trusted, training units squared
+
+
+class Edges(NamedTuple):
+    """The convex edges of a mesh."""
+
+    ends: Float[np.ndarray, "e 2 3"]
+    sides: Float[np.ndarray, "e 2 3"]  # unit normals of its two faces
+
+
+def convex_edges(
+    verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], shortest: float = 0.0
+) -> Edges:
+    """Where two faces meet at more than SHARP_DEG and the shape stands out, in lines that are as
+    long as ``shortest``: what is shorter is a crumb."""
+    from trimesh.graph import face_adjacency
+
+    pairs, ends = face_adjacency(faces, return_edges=True)
+    corners = verts[faces]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(normal, axis=1)
+    normal /= np.maximum(length, 1e-30)[:, None]
+    sides = normal[pairs]
+    middle = corners.mean(1)[pairs]
+    out = (sides[:, 0] * (middle[:, 1] - middle[:, 0])).sum(1) < 0
+    sharp = (sides[:, 0] * sides[:, 1]).sum(1) < np.cos(np.radians(SHARP_DEG))
+    kept = out & sharp & (length[pairs] > 2 * AREA).all(1)
+    ends, sides = ends[kept], sides[kept]
+    span = np.linalg.norm(verts[ends[:, 0]] - verts[ends[:, 1]], axis=1)
+    joined = coo_array((np.ones(len(ends)), tuple(ends.T)), (len(verts), len(verts)))
+    line = connected_components(joined, directed=False)[1][ends[:, 0]]
+    long = np.bincount(line, span, len(verts))[line] >= shortest
+    return Edges(verts[ends[long]], sides[long])
+
+
+class RoundedEdges:
+    """Normals near the edges of a mesh, as if these were rounded."""
+
+    def __init__(
+        self, verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], radius: float
+    ) -> None:
+        """``radius`` in the vertices' unit, over 0."""
+        self.radius = radius
+        ends, sides = convex_edges(verts, faces, LONG * radius)
+        along = ends[:, 1] - ends[:, 0]
+        length = np.linalg.norm(along, axis=1)
+        count = np.maximum(np.ceil(STEPS * length / radius), 1).astype(np.int64)
+        edge = np.repeat(np.arange(len(ends)), count)
+        step = np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count)
+        part = (step + 0.5) / count[edge]
+        self._at = torch.from_numpy(ends[edge, 0] + part[:, None] * along[edge])
+        self._along = torch.from_numpy((along / np.maximum(length, 1e-30)[:, None])[edge])
+        self._sides = torch.from_numpy(sides[edge])
+        self._tree = KDTree(self._at.numpy()) if len(edge) else None
+
+    def normals(
+        self, points: Float[Tensor, "n 3"], normals: Float[Tensor, "n 3"]
+    ) -> Float[Tensor, "n 3"]:
+        """``normals``, unit, of ``points`` of the surface, turned towards the other sides of the
+        edges within the radius."""
+        if self._tree is None:
+            return normals
+        reach = self.radius * (1 + 1 / STEPS)
+        nearest = min(NEAREST, len(self._at))
+        query = points.double().numpy()
+        close = self._tree.query(query, 1, distance_upper_bound=reach)[0] < reach
+        here = torch.from_numpy(np.flatnonzero(close))
+        if not len(here):
+            return normals
+        _, found = self._tree.query(query[close], [*range(1, nearest + 1)], distance_upper_bound=reach)
+        known = torch.from_numpy(found < len(self._at))
+        found = torch.from_numpy(np.where(found < len(self._at), found, 0))
+        p, n = torch.from_numpy(query[close]), normals[here].double()
+
+        off = p[:, None] - self._at[found]
+        along = self._along[found]
+        off = off - (off * along).sum(-1, keepdim=True) * along
+        weight = (1 - off.norm(dim=-1) / self.radius).clamp(min=0)
+        sides = self._sides[found]
+        cosine = (sides * n[:, None, None]).sum(-1)
+        own = cosine.argmax(-1)
+        on_it = cosine.amax(-1) > OWN_SIDE
+        other = sides.gather(2, (1 - own)[..., None, None].expand(-1, -1, 1, 3))[:, :, 0]
+        weight = weight * (on_it & known)
+
+        # Of samples of one edge the one that counts most; of several edges the sum.
+        total = n.clone()
+        for _ in range(3):
+            most, which = weight.max(1)
+            rows = torch.arange(len(which))
+            chosen = other[rows, which]
+            total = total + most[:, None] * chosen
+            same = (other * chosen[:, None]).sum(-1) > SAME_SIDE
+            weight = torch.where(same, 0.0, weight)
+        return normals.index_copy(0, here, normalize(total).to(normals))
