@@ -217,8 +217,8 @@ def lengths(
         sides = smooth_normals(torch.from_numpy(verts), torch.from_numpy(faces)).numpy()[faces]
     a, b = faces.reshape(-1), np.roll(faces, -1, 1).reshape(-1)
     size = np.linalg.norm(verts[a] - verts[b], axis=1)
-    turn = np.linalg.norm(sides - np.roll(sides, -1, 1), axis=2).reshape(-1)
-    bend = turn / np.maximum(size, 1e-30)
+    bend = np.linalg.norm(sides - np.roll(sides, -1, 1), axis=2).reshape(-1)
+    bend = bend / np.maximum(size, 1e-30)
     curvature = np.zeros(len(verts))
     for end in (a, b):
         np.maximum.at(curvature, end, bend)
@@ -228,8 +228,8 @@ def lengths(
     length = 1 / np.sqrt(np.maximum(curvature, 1e-9 * curvature.max() + 1e-30))
     # So many faces come out as without it: a face's area goes with the length's square.
     weight = np.bincount(faces.reshape(-1), np.repeat(areas, 3), len(verts))
-    for _ in range(FITTING if many else 1):
-        graded = length.clip(least, most)
+    for again in range(FITTING if many else 1):
+        graded = length.clip(least, most) if again else length
         length /= np.sqrt(weight.sum() / (weight / graded**2).sum())
     return length.clip(least, most)
 
