@@ -189,7 +189,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     # TEXTURING (§4.3): Γ on the texels, the materials' detail, edge padding, the asset folder
     known = {"surfaces": guidance.surfaces(), "areas": areas}
     seed = job.color_seed or job.seed
-    maps = bake_maps(unwrapped, net, config, progress, seed=seed, **known)
+    rounded = is_own_shape(job, inputs)
+    maps = bake_maps(unwrapped, net, config, progress, seed=seed, rounded=rounded, **known)
     if inputs.region is not None:
         verts = unwrapped.mesh.verts
         feather = config.texture.feather * float((verts.amax(0) - verts.amin(0)).max())
@@ -357,6 +358,13 @@ def kept_guide(guide: Mesh, run: RunFolder, progress: Progress) -> Mesh:
         show_shape(run, normalise(mesh.verts)[0], mesh.faces)
         progress.complete("geometry")
     return mesh
+
+
+def is_own_shape(job: Job, inputs: Inputs) -> bool:
+    """Whether the shape was made here; a user's mesh keeps the edges that it was given."""
+    if inputs.region is not None:
+        return inputs.region.fine is not None
+    return job.command == "generate" and (inputs.shape is None or job.guide_strength < 1)
 
 
 def back(verts: Float[Tensor, "v 3"], mesh: Mesh | None) -> Float[Tensor, "v 3"]:

@@ -41,9 +41,7 @@ def twins(distances: Distances, pieces: Sequence[Piece]) -> dict[int, Twin]:
     return found
 
 
-def _axis(
-    one: Float[Tensor, "2 3"], other: Float[Tensor, "2 3"], close: float
-) -> int | None:
+def _axis(one: Float[Tensor, "2 3"], other: Float[Tensor, "2 3"], close: float) -> int | None:
     """The axis along which two boxes are on opposite sides and as large."""
     for axis in (0, 1):
         there = one.clone()

@@ -167,9 +167,10 @@ def bake_maps(
     surfaces: tuple[Surface, ...] = (),
     areas: Areas | None = None,
     seed: int = 0,
+    rounded: bool = False,
 ) -> Maps:
     """Γ on every texel, even within each of the ``areas``, with the detail of ``surfaces`` and the
-    relief of the fine shape."""
+    relief of the fine shape; ``rounded``: and its edges."""
     device, size = next(net.parameters()).device, config.texture.size
 
     @torch.no_grad()
@@ -183,7 +184,7 @@ def bake_maps(
         material = evened(learnt, areas, mesh, evenness) if areas else learnt
         options = {"strength": strength, "size": size, "seed": seed}
         detail = detail_of(mesh, material, surfaces, areas, **options)
-        radius = config.texture.edge_radius
+        radius = config.texture.edge_radius if rounded else 0.0
         fine = FineSurface(shape.fine or mesh.mesh, radius) if shape.fine or radius else None
         return bake(
             mesh.mesh,

@@ -241,7 +241,9 @@ def test_a_border_is_where_the_exact_surfaces_say_and_a_flush_pane_is_seen():
     x = torch.linspace(-0.05, 0.05, 41)
     points = torch.cartesian_prod(x, torch.linspace(-0.5, 0.5, 41), torch.zeros(1))
     area, _ = at(SolidAreas(drawn, TWO, exact), points)
-    assert torch.equal(area, (points[:, 0] > 0).long()), "surfaces that cross are parted by themselves"
+    assert torch.equal(area, (points[:, 0] > 0).long()), (
+        "surfaces that cross are parted by themselves"
+    )
     area, _ = at(SolidAreas(drawn, TWO), points)
     assert points[area != (points[:, 0] > 0).long(), 0].abs().max() > 0.015
     # A pane that the wall's surface is just over is seen where it was drawn; one far under is not,

@@ -46,7 +46,7 @@ BORDER_ROUNDS = 8
 MARGIN = 0.98  # of the faces asked for: the count at the end is not exact
 MANY = 10_000  # faces
 # Edges in bent places and in flat ones, times the mean, at most; of many faces and of fewer.
-GRADE, COARSE_GRADE = (0.4, 1.5), (1 / 1.5, 1.5)
+GRADE, COARSE_GRADE = (0.6, 1.5), (1 / 1.5, 1.5)
 FITTING = 8  # rounds, to so many faces
 SMOOTHING = 4  # rounds, of the curvature
 NEAR = 0.7  # edge lengths: the distance that two opposite halves of a right angle are apart

@@ -93,7 +93,9 @@ class RoundedEdges:
         here = torch.from_numpy(np.flatnonzero(close))
         if not len(here):
             return normals
-        _, found = self._tree.query(query[close], [*range(1, nearest + 1)], distance_upper_bound=reach)
+        _, found = self._tree.query(
+            query[close], [*range(1, nearest + 1)], distance_upper_bound=reach
+        )
         known = torch.from_numpy(found < len(self._at))
         found = torch.from_numpy(np.where(found < len(self._at), found, 0))
         p, n = torch.from_numpy(query[close]), normals[here].double()

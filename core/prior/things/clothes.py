@@ -335,24 +335,25 @@ def trousers(draw: Draw) -> Parts:
 
 
 def dress(draw: Draw) -> Parts:
-    """A dress with a wide skirt."""
-    waist, low, skirt, high = draw(0.24, 0.29), draw(0.8, 1.0), draw(0.9, 1.4), draw(0.6, 0.7)
+    """A dress with a wide skirt and short sleeves, low at the neck."""
+    waist, low, skirt, high = draw(0.26, 0.3), draw(0.8, 0.95), draw(0.9, 1.3), draw(0.62, 0.7)
     top = skirt + high
     flare = smooth_curve([(low, 0), (low * draw(0.55, 0.75), skirt * 0.5), (waist, skirt)], 4)
-    bust = [(waist, skirt - 0.05), (waist + 0.14, top - 0.22), (waist + 0.05, top)]
-    strap = capsule((0.2, 0, top - 0.08), (0.17, 0, top + 0.2), 0.1)
-    puff = ball((waist + 0.1, 0, top - 0.1), 0.19)
-    hollow = join(egg((0, 0, 0), (low * 0.85, low * 0.85, skirt * 0.35)))
-    neck = egg((0, 0, top + 0.06), (0.2, 0.2, 0.22))
+    bust = [(waist, skirt - 0.05), (waist + 0.12, top - 0.3), (waist + 0.1, top - 0.08)]
+    reach, drop = draw(0.5, 0.58), draw(0.2, 0.34)
+    sleeve = taper((waist - 0.02, 0, top - 0.12), (reach, 0, top - 0.12 - drop), 0.15, 0.19)
+    hollow = egg((0, 0, 0), (low * 0.85, low * 0.85, skirt * 0.35))
+    neck = join(egg((0, -0.04, top + 0.02), (0.23, 0.25, 0.3)))
     return {
         "skirt": cut(lathe(flare, 0.02), hollow),
-        "body": cut(join(lathe(bust, 0.02), both(puff if draw.chance(0.5) else strap)), neck),
-        "belt": tube((0, 0, skirt - 0.1), (0, 0, skirt + 0.09), waist + 0.07, 0.04),
-        "hem": cut(tube((0, 0, -0.02), (0, 0, 0.15), low + 0.05, 0.05), hollow),
+        "body": cut(lathe([*bust, (waist - 0.02, top)], 0.02), neck),
+        "belt": tube((0, 0, skirt - 0.09), (0, 0, skirt + 0.08), waist + 0.06, 0.03),
+        "hem": cut(tube((0, 0, -0.02), (0, 0, 0.13), low + 0.04, 0.04), hollow),
         "bow": join(
             ball((0, waist + 0.1, skirt), 0.11),
-            both(egg((0.2, waist + 0.12, skirt + 0.04), (0.2, 0.1, 0.14))),
+            both(egg((0.24, waist + 0.12, skirt + 0.04), (0.22, 0.1, 0.15))),
         ),
+        "sleeves": both(sleeve),
     }
 
 

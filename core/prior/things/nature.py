@@ -227,7 +227,7 @@ def fish(draw: Draw) -> Parts:
     tail += [(b, -c) for b, c in reversed(tail[:3])]
     back = [(-0.45, high * 0.75), (-0.2, high + up), (0.3, high + up * 0.8), (0.62, high * 0.5)]
     below = [(0.05, -high * 0.8), (0.3, -high - up * 0.7), (0.55, -high * 0.55)]
-    fin = turned(egg((0, 0.24, 0), (0.09, 0.3, 0.16)), 2, 30)
+    fin = turned(egg((0, 0.26, 0), (0.11, 0.36, 0.2)), 2, 38)
     at = (thick * 0.72, -long * 0.6, high * 0.24)
     body = egg((0, 0, 0), (thick, long, high))
     return {

@@ -17,7 +17,10 @@ from core.prior.solids import (
     moved,
     prism,
     tube,
+    turned,
 )
+
+LEAN_DEG = 23.0  # of a planet's axis, as the markings' (``markings/balls.py``) of its globe
 
 
 def abacus(draw: Draw) -> Parts:
@@ -75,22 +78,18 @@ def molecule(draw: Draw) -> Parts:
 
 
 def planet(draw: Draw) -> Parts:
-    """A globe with bands and a level ring around it."""
-    r, near, far, thick = 0.78, draw(0.98, 1.04), draw(1.38, 1.5), draw(0.075, 0.085)
-    belt = draw(0.14, 0.19)
+    """A globe with bands and a thin ring around it, leaning."""
+    r, near, far, thick = 0.82, draw(1.04, 1.1), draw(1.42, 1.52), 0.05
     disc = lathe([(near, -thick), (far, -thick), (far, thick), (near, thick)])
     hole = tube((0, 0, -1), (0, 0, 1), near)
-    bands = (
-        lathe([(math.sqrt(r * r - h * h) + 0.04, h) for h in (a, a + 0.09, a + 0.18)])
-        for a in (belt, -belt - 0.18)
-    )
-    bridge = box((0, 0, 0), (near + 0.05, 0.08, thick * 0.9))
+    bridge = box((0, 0, 0), (near + 0.05, 0.06, thick * 0.9))
+    belt = lathe([(r + 0.02, -0.1), (r + 0.02, 0.1)])
     parts = {
         "globe": ball((0, 0, 0), r),
-        "bands": join(*bands),
+        "bands": belt,
         "rings": join(cut(disc, hole), bridge),
     }
-    return {name: moved(solid, (0, 0, 1)) for name, solid in parts.items()}
+    return {name: moved(turned(solid, 1, LEAN_DEG), (0, 0, 1)) for name, solid in parts.items()}
 
 
 def cassette(draw: Draw) -> Parts:

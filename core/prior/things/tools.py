@@ -118,41 +118,40 @@ def drum(draw: Draw) -> Parts:
 
 
 def robot(draw: Draw) -> Parts:
-    """A toy of boxes, its face to the front."""
-    x, body, head = draw(0.42, 0.5), draw(0.38, 0.44), draw(0.3, 0.35)
-    low = draw(0.55, 0.65)
+    """A toy of boxes, its face to the front; ears, shoulders and hands are round."""
+    x, body, head = draw(0.42, 0.5), draw(0.38, 0.44), draw(0.31, 0.36)
+    low, deep = draw(0.5, 0.62), draw(0.28, 0.34)
     top = low + 2 * body
-    z = top + head + 0.08
-    depth = draw(0.28, 0.34)
-    arm = join(
-        box((x + 0.17, 0, top - 0.42), (0.12, 0.14, 0.38), 0.04),
-        ball((x + 0.17, 0, top - 0.88), 0.17),
+    z = top + head + 0.1
+    side, out = head * 1.2, x + 0.19
+    shoulder, hand = top - 0.16, top - draw(0.82, 0.9)
+    cube = box((0, 0, z), (side, head, head), 0.06)
+    drum = tube((0, 0, z - head), (0, 0, z + head), head * 1.12, 0.06)
+    round_head, two = draw.chance(0.4), draw.chance(0.4)
+    side = head * 1.12 if round_head else side
+    rod = join(
+        tube((0, 0, z + head - 0.05), (0, 0, z + head + 0.2), 0.085),
+        ball((0, 0, z + head + 0.26), 0.13),
     )
-    leg = join(
-        box((0.22, 0, low / 2), (0.14, 0.15, low / 2)),
-        box((0.23, -0.08, 0.1), (0.18, 0.26, 0.1), 0.04),
-    )
+    sole = [(0.17, 0.0), (0.17, low + 0.05), (-0.15, low + 0.05), (-0.15, 0.2), (-0.36, 0.2)]
     return {
-        "body": join(
-            box((0, 0, low + body), (x, depth, body), 0.06),
-            tube((0, 0, top - 0.1), (0, 0, z), 0.13),
+        "body": box((0, 0, low + body), (x, deep, body), 0.05),
+        "head": drum if round_head else cube,
+        "limbs": both(
+            join(
+                box((out, 0, (shoulder + hand) / 2), (0.13, 0.14, (shoulder - hand) / 2), 0.03),
+                moved(prism([*sole, (-0.36, 0.0)], 0, 0.16), (x * 0.52, 0, 0)),
+            )
         ),
-        "head": box((0, 0, z), (head * 1.15, head, head), 0.06),
-        "limbs": both(join(arm, leg)),
-        "eyes": join(
-            both(
-                tube(
-                    (head * 0.5, -head - 0.06, z + 0.06),
-                    (head * 0.5, -head + 0.1, z + 0.06),
-                    0.11,
-                    0.02,
-                )
-            ),
-            box((0, -depth, low + body * 1.1), (x * 0.6, 0.06, body * 0.45), 0.02),
+        "eyes": both(
+            tube((side * 0.42, -head - 0.07, z + 0.05), (side * 0.42, -head + 0.2, z + 0.05), 0.12)
         ),
-        "aerial": join(
-            tube((0, 0, z + head - 0.05), (0, 0, z + head + 0.2), 0.085),
-            ball((0, 0, z + head + 0.26), 0.13),
+        "aerial": both(moved(rod, (head * 0.62, 0, 0))) if two else rod,
+        "joints": join(
+            tube((0, 0, top - 0.1), (0, 0, z), 0.15),
+            both(tube((side - 0.1, 0, z), (side + 0.09, 0, z), 0.15)),
+            both(ball((out - 0.03, 0, shoulder), 0.2)),
+            both(ball((out, 0, hand - 0.06), 0.185)),
         ),
     }
 

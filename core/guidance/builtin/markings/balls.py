@@ -191,6 +191,9 @@ def number_on(points: Points, half: Half, text: str, way: Vector, high: float) -
     return all_of((lettering(at, text) + 0.04) * high, on @ ahead) * half.mean()
 
 
+Spans = Sequence[tuple[float, float]]
+
+
 def _upright(points: Points, lean: float) -> Points:
     """Places on a globe whose axis leans by so many degrees to the side."""
     c, s = math.cos(math.radians(lean)), math.sin(math.radians(lean))
@@ -207,6 +210,13 @@ def poles(points: Points, half: Half, lean: float = 0.0) -> Margin:
     """The ice at the world's ends, farther out in the south."""
     north = F.normalize(_upright(points, lean), dim=1)[:, 2].clamp(-1, 1).asin()
     return torch.maximum(north - math.radians(76), -north - math.radians(66)) * half.mean()
+
+
+def zones(points: Points, half: Half, spans: Spans, lean: float = 0.0) -> Margin:
+    """A planet's, between latitudes in degrees."""
+    north = F.normalize(_upright(points, lean), dim=1)[:, 2].clamp(-1, 1).asin()
+    spans = [(math.radians(low), math.radians(high)) for low, high in spans]
+    return any_of(*(torch.minimum(north - a, b - north) for a, b in spans)) * half.mean()
 
 
 def craters(points: Points, half: Half) -> Margin:

@@ -15,6 +15,7 @@ class Marking(NamedTuple):
     of: str = ""  # the only material that is so marked, where a prompt names one: a plank's seams
 
 
+ZONES = ((-58, -46), (-30, -12), (4, 9), (18, 34), (52, 61))  # a ringed planet's, degrees
 STICKERS = ("reds", "blues", "greens", "whites", "yellows", "oranges")
 EIGHT = (0.25, -1.0, 0.45)  # where a billiard ball's number is
 HOLES = ((-0.1, -0.75, 0.75), (0.14, -0.75, 0.8), (0.03, -0.95, 0.5))  # a bowling ball's
@@ -66,6 +67,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "ice": Marking("ocean", partial(balls.poles, lean=23)),
         "land": Marking("ocean", partial(balls.lands, lean=23)),
     },
+    "planet": {"bands": Marking("globe", partial(balls.zones, lean=23, spans=ZONES))},
     "full moon": {"craters": Marking("body", balls.craters)},
     "eyeball": {
         "iris": Marking("white", partial(balls.cap, wide=0.56)),

@@ -149,6 +149,7 @@ CLOTHES = {
             "belt": "+f0d9e4",
             "hem": "&e58fb4 . fabric",
             "bow": "-f0d9e4",
+            "sleeves": "*c23a78 . fabric",
         },
         Usual(1.2, FABRIC, 0.0087),
     ),

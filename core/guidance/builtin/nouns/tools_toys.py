@@ -47,6 +47,7 @@ TOOLS_AND_TOYS = {
             "limbs": "&5b6b7c . metal",
             "eyes": "-49d0e0",
             "aerial": "-d63a2a",
+            "joints": "-3f4750 . metal",
         },
         Usual(0.3, STEEL, 0.15),
     ),
