@@ -112,14 +112,18 @@ class KnownParts:
     def pieces(self) -> list[Piece]:
         """All that have a surface, as wide as they are looked at; of a part those that are alike
         are so exactly. What mirrors another has no primitive of its own: it is that one's."""
-        found = places_of(self._wide, len(self.forms.flat))
-        drawn = [piece for place in found for piece in drawn_in(self._wide, place)]
+        places = places_of(self._wide, len(self.forms.flat))
+        drawn = [piece for place in places for piece in drawn_in(self._wide, place)]
         drawn = without_strays(drawn, self.forms)
-        self._twins = twins(self._wide, drawn)
-        pairs = zip(drawn, matched(self._wide, drawn, self.forms), strict=True)
+        found = matched(self._wide, drawn, self.forms)
+        self._twins = {
+            index: twin
+            for index, twin in twins(self._wide, drawn).items()
+            if not is_same(found[index], found[twin.of])
+        }
         told = [
             piece if index in self._twins else self._as_made(piece, one)
-            for index, (piece, one) in enumerate(pairs)
+            for index, (piece, one) in enumerate(zip(drawn, found, strict=True))
         ]
         even = flush([piece.primitive for piece in told])
         return [piece._replace(primitive=one) for piece, one in zip(told, even, strict=True)]
@@ -311,6 +315,11 @@ def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Pri
         for k, one in pairs:
             found[k] = one.sharp() if one else None
     return found
+
+
+def is_same(one: Primitive | None, other: Primitive | None) -> bool:
+    """Whether two pieces were fitted together."""
+    return bool(one and other) and np.array_equal(one.lengths, other.lengths)
 
 
 def one_drawn(distances: Distances, piece: Piece, points: Points, faces: Faces) -> Primitive | None:

@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from PIL import Image
 
 from core.command_line import main
 from core.config import preset
-from core.generate import back, generate, prepare
+from core.generate import back, generate, is_own_shape, prepare
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
 from core.geometry.tet_grid import tet_grid
@@ -375,3 +376,22 @@ def test_the_material_is_learnt_within_each_areas_ranges(tmp_path, monkeypatch):
         generate(run, prepare(run.job), Progress(run))
     metallic = caught.value.args[0].bounds[:, 2:4]
     assert metallic.unique().tolist() == [1.0]  # of iron and steel, and no range around it
+
+
+@pytest.mark.parametrize(
+    ("command", "shape", "strength", "fine", "own"),
+    [
+        ("generate", False, 0.5, None, True),
+        ("generate", True, 0.5, None, True),  # a guide
+        ("generate", True, 1.0, None, False),  # kept as it is
+        ("texture", True, 0.5, None, False),
+        ("texture", True, 0.5, "region", True),  # of an asset that was made here
+        ("texture", True, 0.5, "region of another's", False),
+    ],
+)
+def test_a_users_mesh_keeps_its_sharp_edges(command, shape, strength, fine, own):
+    mesh = Mesh(torch.zeros(3, 3), torch.tensor([[0, 1, 2]]))
+    region = fine and SimpleNamespace(fine=mesh if fine == "region" else None)
+    inputs = SimpleNamespace(shape=mesh if shape else None, region=region)
+    job = SimpleNamespace(command=command, guide_strength=strength)
+    assert is_own_shape(job, inputs) is own

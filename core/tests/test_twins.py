@@ -62,8 +62,16 @@ def test_what_only_has_the_size_of_its_like_is_no_twin():
 
 
 def test_a_twin_is_its_others_mirror_to_the_last_bit():
-    parts = KnownParts(blocks((0.4, 0, 0.3), (-0.4, 0, 0.3)), FLAT)
-    assert len(parts.pieces) == 2
+    plain = blocks((0.4, 0, 0.3), (-0.4, 0, 0.3))
+
+    def knobbed(points):  # no simple solid
+        aside = points.clone()
+        aside[:, 0] = aside[:, 0].abs()
+        knob = (aside - torch.tensor([0.5, 0.05, 0.42])).norm(dim=1) - 0.12
+        return torch.minimum(plain(points), knob[:, None])
+
+    parts = KnownParts(knobbed, FLAT)
+    assert parts.pieces[1].primitive is None, "it is the first one's"
     (one, faces), (other, turned) = (parts.surface_of(k) for k in range(2))
     assert torch.equal(other, one * torch.tensor([-1.0, 1.0, 1.0]))
     assert torch.equal(turned, faces.flip(1))

@@ -1,5 +1,5 @@
-"""Rounded edges in the normal map: no edge of a real thing is as sharp as a mesh's, and by the light
-along its edges a thing is seen to be made of something.
+"""Rounded edges in the normal map: no real edge is as sharp as a mesh's, and by the light along
+its edges a thing is seen to be made of something.
 
 On a fillet the normal turns from one side's to the other's. Here it does so evenly over the radius
 on each side of an edge that stands out, so that both sides have one normal on the edge itself, and
@@ -23,6 +23,7 @@ STEPS = 3  # samples of an edge in the length of the radius
 NEAREST = 16  # samples that a place looks at
 LONG = 8  # radii
 OWN_SIDE = 0.85  # cosine between a place's normal and that of the side that it is on
+MEETING = 3  # edges near one place, at most
 SAME_SIDE = 0.9  # cosine between the other sides of two samples: they are of one edge
 AREA = 1e-7  # a face below it has no normal that is to be trusted, training units squared
 
@@ -86,38 +87,46 @@ class RoundedEdges:
         edges within the radius."""
         if self._tree is None:
             return normals
-        reach = self.radius * (1 + 1 / STEPS)
-        nearest = min(NEAREST, len(self._at))
-        query = points.double().numpy()
-        close = self._tree.query(query, 1, distance_upper_bound=reach)[0] < reach
-        here = torch.from_numpy(np.flatnonzero(close))
-        if not len(here):
+        query, reach = points.double().numpy(), self.radius * (1 + 1 / STEPS)
+        close = self._tree.query(query, distance_upper_bound=reach)[0] < reach
+        if not close.any():
             return normals
-        _, found = self._tree.query(
-            query[close], [*range(1, nearest + 1)], distance_upper_bound=reach
-        )
-        known = torch.from_numpy(found < len(self._at))
-        found = torch.from_numpy(np.where(found < len(self._at), found, 0))
-        p, n = torch.from_numpy(query[close]), normals[here].double()
+        here = torch.from_numpy(np.flatnonzero(close))
+        _, found = self._tree.query(query[close], NEAREST, distance_upper_bound=reach)
+        own = normals[here].double()
+        weight, other = self._sides_of(points[here].double(), own, torch.from_numpy(found))
+        return normals.index_copy(0, here, normalize(_towards(own, weight, other)).to(normals))
 
-        off = p[:, None] - self._at[found]
-        along = self._along[found]
+    def _sides_of(
+        self, points: Float[Tensor, "n 3"], normals: Float[Tensor, "n 3"], found: Int[Tensor, "n k"]
+    ) -> tuple[Float[Tensor, "n k"], Float[Tensor, "n k 3"]]:
+        """Of the samples ``found`` near each place, how much they count, from 1 on the edge to 0 a
+        radius away, and the normal of their other side; 0 where none was found, or where the place
+        is on neither side."""
+        known = found < len(self._at)
+        found = torch.where(known, found, 0)
+        off, along, sides = (
+            points[:, None] - self._at[found],
+            self._along[found],
+            self._sides[found],
+        )
         off = off - (off * along).sum(-1, keepdim=True) * along
         weight = (1 - off.norm(dim=-1) / self.radius).clamp(min=0)
-        sides = self._sides[found]
-        cosine = (sides * n[:, None, None]).sum(-1)
-        own = cosine.argmax(-1)
-        on_it = cosine.amax(-1) > OWN_SIDE
+        cosine, own = (sides * normals[:, None, None]).sum(-1).max(-1)
         other = sides.gather(2, (1 - own)[..., None, None].expand(-1, -1, 1, 3))[:, :, 0]
-        weight = weight * (on_it & known)
+        return weight * (known & (cosine > OWN_SIDE)), other
 
-        # Of samples of one edge the one that counts most; of several edges the sum.
-        total = n.clone()
-        for _ in range(3):
-            most, which = weight.max(1)
-            rows = torch.arange(len(which))
-            chosen = other[rows, which]
-            total = total + most[:, None] * chosen
-            same = (other * chosen[:, None]).sum(-1) > SAME_SIDE
-            weight = torch.where(same, 0.0, weight)
-        return normals.index_copy(0, here, normalize(total).to(normals))
+
+def _towards(
+    normals: Float[Tensor, "n 3"], weight: Float[Tensor, "n k"], other: Float[Tensor, "n k 3"]
+) -> Float[Tensor, "n 3"]:
+    """The sum of a place's normal and those of the other sides of its edges; of the samples of one
+    edge the one that counts most."""
+    total, rows = normals.clone(), torch.arange(len(normals))
+    for _ in range(MEETING):
+        most, which = weight.max(1)
+        chosen = other[rows, which]
+        total = total + most[:, None] * chosen
+        same = (other * chosen[:, None]).sum(-1) > SAME_SIDE
+        weight = torch.where(same, 0.0, weight)
+    return total
