@@ -5,8 +5,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -22,6 +22,7 @@ from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.physical import usual_of
 from core.io.asset import inspect, read_asset
 from core.io.job import LAST, Job, read_events
+from core.io.maps import Maps
 from core.io.obj import obj_text
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
@@ -29,6 +30,7 @@ from core.job_config import retouching, shortened
 from core.tests import tiny_runs
 from core.tests.forked import ONE_THREAD, Session
 from core.tests.offline import ONLINE, alone_here, attempts, cut_off, recorder
+from core.texture.region import Region
 
 ROOT = Path(__file__).parents[2]
 SHORT = {
@@ -391,7 +393,9 @@ def test_the_material_is_learnt_within_each_areas_ranges(tmp_path, monkeypatch):
 )
 def test_a_users_mesh_keeps_its_sharp_edges(command, shape, strength, fine, own):
     mesh = Mesh(torch.zeros(3, 3), torch.tensor([[0, 1, 2]]))
-    region = fine and SimpleNamespace(fine=mesh if fine == "region" else None)
-    inputs = SimpleNamespace(shape=mesh if shape else None, region=region)
-    job = SimpleNamespace(command=command, guide_strength=strength)
+    kept = Region(Maps(*[torch.zeros(2, 2, 3)] * 3), torch.ones(1, dtype=torch.bool))
+    region = fine and kept._replace(fine=mesh if fine == "region" else None)
+    inputs = replace(prepare(Job(prompt="a chair")), shape=mesh if shape else None, region=region)
+    path = "own.obj" if command == "texture" else ""
+    job = Job(prompt="a chair", command=command, mesh=path, guide_strength=strength)
     assert is_own_shape(job, inputs) is own
