@@ -11,7 +11,6 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings.margins import Marks
 from core.guidance.builtin.markings.table import MARKINGS, Marking
 
 
@@ -27,22 +26,27 @@ class Marked:
             names: of the noun's parts; "" of those that the object is without.
             boxes: of each the lowest and the highest corner; None of what has no solid.
         """
-        self.laid: list[tuple[int, int, Marks, Float[Tensor, "2 3"]]] = []
-        for name, (on, marks, _) in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
+        self.laid: list[tuple[int, int, Marking, Float[Tensor, "2 3"]]] = []
+        for name, one in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
             bearer = bearer_of(noun, name)
-            if {name, on, bearer} <= set(names):
-                box = boxes[names.index(bearer)]
+            by = one.by or bearer
+            if {name, one.on, bearer, by} <= set(names):
+                box = boxes[names.index(by)]
                 if box is not None:
-                    self.laid.append((names.index(name), names.index(on), marks, box))
+                    self.laid.append((names.index(name), names.index(one.on), one, box))
 
     def __call__(
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
     ) -> Float[Tensor, "n p"]:
         """The parts' distances with the markings among them."""
         found = distances.clone()
-        for part, on, marks, box in self.laid:
+        right = torch.cat([points[:, :1].abs(), points[:, 1:]], 1)
+        for part, on, one, box in self.laid:
             low, high = box.to(points)
-            margin = marks(points - (low + high) / 2, (high - low) / 2)
+            middle = (low + high) / 2
+            if one.paired:
+                middle = torch.cat([middle[:1].abs(), middle[1:]])
+            margin = one.marks((right if one.paired else points) - middle, (high - low) / 2)
             lies = found[:, on].clone()
             found[:, part] = torch.maximum(lies, -margin)
             found[:, on] = torch.maximum(lies, margin)

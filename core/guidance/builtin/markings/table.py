@@ -3,7 +3,7 @@
 from functools import partial
 from typing import NamedTuple
 
-from core.guidance.builtin.markings import balls, boards, coats, flags, fronts, prints
+from core.guidance.builtin.markings import balls, boards, bodywork, coats, flags, fronts, prints
 from core.guidance.builtin.markings.margins import Marks, blobs
 
 
@@ -13,6 +13,8 @@ class Marking(NamedTuple):
     on: str  # the part that bears it, or another marking that lies on that
     marks: Marks
     of: str = ""  # the only material that is so marked, where a prompt names one: a plank's seams
+    by: str = ""  # the part by whose box it is placed; "": what bears it
+    paired: bool = False  # what bears it is alike on both sides of x = 0, and so is it
 
 
 ZONES = ((-58, -46), (-30, -12), (4, 9), (18, 34), (52, 61))  # a ringed planet's, degrees
@@ -122,7 +124,10 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     },
     "tennis racket": {"gaps": Marking("strings", prints.net_gaps)},
     "microphone": {"mesh": Marking("head", balls.mesh_gaps)},
-    "radio": {"slots": Marking("speaker", prints.slots)},
+    "radio": {
+        "slots": Marking("speaker", prints.slots),
+        "marks": Marking("dial", partial(bodywork.laid, **bodywork.DIAL_MARKS)),
+    },
     "barrel": {"seams": Marking("body", boards.staves, "wooden")},
     "chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
     "open chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
@@ -132,7 +137,11 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "barn": {"seams": Marking("walls", boards.boarding, "wooden")},
     "basket": {"weave": Marking("body", boards.weave)},
     "hamburger": {"seeds": Marking("bun", coats.seeds)},
-    "phone": {"icons": Marking("screen", prints.icons)},
+    "phone": {
+        "icons": Marking("screen", prints.icons),
+        "lenses": Marking("camera", partial(bodywork.laid, **bodywork.PHONE_LENSES)),
+        "camera": Marking("body", partial(bodywork.laid, **bodywork.PHONE_CAMERA)),
+    },
     "scroll": {"letters": Marking("paper", partial(prints.ruled, lines=SCRIPT, ends=(-0.52, 0.5)))},
     "shop": {"letters": Marking("sign", partial(fronts.lettered, text="OPEN", high=0.3))},
     **{
@@ -155,25 +164,41 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "necktie": {"stripes": Marking("blade", partial(fronts.slanted, pitch=0.3))},
     "poker chip": {"spots": Marking("rim", fronts.edge_spots)},
     "taxi": {
-        "letters": Marking("sign", partial(fronts.lettered, text="TAXI", high=0.5, bold=0.06))
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.CAR_WINDOWS)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.TAXI_TRIM)),
+        "letters": Marking("sign", partial(fronts.lettered, text="TAXI", high=0.5, bold=0.06)),
     },
     "atm": {
         "letters": Marking("panels", partial(fronts.lettered, text="ATM", high=0.5, bold=0.06))
     },
     "police car": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.CAR_WINDOWS)),
         "letters": Marking(
             "doors", partial(fronts.on_sides, text="POLICE", high=0.12, at=(0.08, -0.12))
         ),
         "doors": Marking("body", fronts.doors),
     },
     "school bus": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.SCHOOL_BUS_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.BUS_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.SCHOOL_BUS_TRIM)),
         "letters": Marking(
             "body", partial(fronts.on_sides, text="SCHOOL BUS", high=0.1, at=(0, 0.78))
         ),
         "stripe": Marking("body", partial(fronts.belt, low=-0.32, high=-0.2)),
     },
-    "ambulance": {"cross": Marking("body", prints.kit_on_sides)},
-    "fire truck": {"stripe": Marking("body", partial(fronts.belt, low=-0.6, high=-0.44))},
+    "ambulance": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.AMBULANCE_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.VAN_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.AMBULANCE_TRIM)),
+        "cross": Marking("body", prints.kit_on_sides),
+    },
+    "fire truck": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.FIRE_WINDOWS)),
+        "lockers": Marking("body", partial(bodywork.laid, **bodywork.FIRE_LOCKERS)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.FIRE_TRIM)),
+        "stripe": Marking("body", partial(fronts.belt, low=-0.6, high=-0.44)),
+    },
     "double decker bus": {"stripe": Marking("body", partial(fronts.belt, low=0.13, high=0.25))},
     "first aid kit": {
         "cross": Marking("body", partial(prints.stamp, shape="cross", size=0.42, at=(0.0, -0.1)))
@@ -328,4 +353,170 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "spots": Marking("body", partial(blobs, pitch=0.2, sizes=(0.025, 0.075), share=0.85))
     },
     "skunk": {"stripe": Marking("body", partial(coats.ridge, wide=0.2))},
+    # What is built.
+    "car": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.CAR_WINDOWS)),
+        "number plates": Marking("body", partial(bodywork.laid, **bodywork.CAR_PLATES)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.CAR_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.CAR_TRIM)),
+    },
+    "van": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.VAN_WINDOWS)),
+        "number plates": Marking("body", partial(bodywork.laid, **bodywork.VAN_PLATES)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.VAN_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.VAN_TRIM)),
+    },
+    "bus": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.BUS_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.BUS_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.BUS_TRIM)),
+        "stripe": Marking("body", partial(fronts.belt, low=-0.27, high=-0.13)),
+    },
+    "truck": {
+        "windows": Marking("cab", partial(bodywork.windows, **bodywork.TRUCK_WINDOWS)),
+        "lamps": Marking("cab", partial(bodywork.laid, **bodywork.TRUCK_LAMPS)),
+        "trim": Marking("cab", partial(bodywork.laid, **bodywork.TRUCK_TRIM)),
+        "seams": Marking("cargo", partial(bodywork.laid, **bodywork.CARGO_SEAMS)),
+    },
+    "sports car": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.SPORTS_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.SPORTS_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.SPORTS_TRIM)),
+    },
+    "pickup truck": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.PICKUP_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.PICKUP_TAIL)),
+        "seams": Marking("body", partial(bodywork.laid, **bodywork.PICKUP_SEAMS)),
+    },
+    "robot": {
+        "mouth": Marking("head", partial(bodywork.laid, **bodywork.MOUTH)),
+        "buttons": Marking("body", partial(bodywork.laid, **bodywork.ROBOT_BUTTONS)),
+    },
+    "race car": {
+        "number": Marking("body", partial(bodywork.laid, **bodywork.RACE_NUMBER)),
+        "visor": Marking("helmet", partial(bodywork.laid, **bodywork.VISOR)),
+    },
+    "train": {
+        "windows": Marking("cab", partial(bodywork.windows, **bodywork.TRAIN_WINDOWS)),
+        "bands": Marking("boiler", partial(fronts.belts, spans=bodywork.BOILER_BANDS, axis=1)),
+    },
+    "tank": {
+        "star": Marking("turret", partial(bodywork.laid, **bodywork.TANK_STAR)),
+        "links": Marking("tracks", bodywork.links),
+        "vents": Marking("hull", partial(bodywork.laid, **bodywork.TANK_VENTS)),
+    },
+    "book": {
+        "badge": Marking("cover", partial(bodywork.laid, **bodywork.BOOK_BADGE), by="pages"),
+        "border": Marking("cover", partial(bodywork.laid, **bodywork.BOOK_BORDER), by="pages"),
+        "lines": Marking("pages", partial(boards.planks, count=7, axis=1)),
+    },
+    "television": {
+        "glare": Marking("screen", bodywork.glare),
+        "slots": Marking("body", partial(bodywork.laid, **bodywork.TV_SLOTS)),
+    },
+    "laptop": {
+        "icons": Marking("screen", partial(bodywork.laid, **bodywork.LAPTOP_ICONS)),
+        "badge": Marking("body", partial(bodywork.laid, **bodywork.LAPTOP_BADGE)),
+    },
+    "monitor": {
+        "icons": Marking("screen", partial(bodywork.laid, **bodywork.LAPTOP_ICONS)),
+        "slots": Marking("body", partial(bodywork.laid, **bodywork.TV_SLOTS)),
+    },
+    "speaker": {
+        "caps": Marking("cones", partial(bodywork.cone_rings, spans=((-1.0, 0.3),)), by="body"),
+        "rings": Marking(
+            "cones", partial(bodywork.cone_rings, spans=((0.45, 0.53), (0.68, 0.76))), by="body"
+        ),
+    },
+    "camera": {
+        "rings": Marking("lens", partial(fronts.belts, spans=bodywork.LENS_RINGS, axis=1)),
+        "screen": Marking("grip", partial(bodywork.laid, **bodywork.CAMERA_SCREEN)),
+    },
+    "refrigerator": {
+        "magnets": Marking("doors", partial(bodywork.laid, **bodywork.FRIDGE_MAGNETS), by="body"),
+        "note": Marking("doors", partial(bodywork.laid, **bodywork.FRIDGE_NOTE), by="body"),
+        "coils": Marking("body", partial(bodywork.laid, **bodywork.FRIDGE_COILS)),
+    },
+    "washing machine": {
+        "lights": Marking("panel", partial(bodywork.laid, **bodywork.PANEL_LIGHTS)),
+        "seams": Marking("body", partial(bodywork.laid, **bodywork.WASHER_SEAMS)),
+    },
+    "stove": {
+        "racks": Marking("window", partial(bodywork.laid, **bodywork.OVEN_RACKS)),
+        "coils": Marking("plates", partial(bodywork.laid, **bodywork.OVEN_COILS), by="body"),
+        "seams": Marking("body", partial(bodywork.laid, **bodywork.OVEN_SEAMS)),
+    },
+    "microwave": {
+        "digits": Marking("display", partial(bodywork.laid, **bodywork.MICROWAVE_DIGITS)),
+        "display": Marking("body", partial(bodywork.laid, **bodywork.MICROWAVE_DISPLAY)),
+        "buttons": Marking("body", partial(bodywork.laid, **bodywork.MICROWAVE_BUTTONS)),
+        "mesh": Marking("window", partial(bodywork.laid, **bodywork.MICROWAVE_MESH)),
+        "seams": Marking("body", partial(bodywork.laid, **bodywork.MICROWAVE_SEAMS)),
+    },
+    "vending machine": {
+        "letters": Marking("body", partial(fronts.on_sides, text="DRINKS", high=0.34, at=(0, 0.5))),
+        "stripes": Marking("body", partial(bodywork.laid, **bodywork.VENDING_STRIPES)),
+    },
+    "safe": {
+        "marks": Marking("dial", partial(fronts.hours, radius=1.0)),
+        "rivets": Marking("body", partial(bodywork.laid, **bodywork.SAFE_RIVETS)),
+    },
+    "cabinet": {
+        "panels": Marking("doors", bodywork.door_panels, paired=True),
+    },
+    "wardrobe": {
+        "panels": Marking("doors", partial(bodywork.laid, **bodywork.WARDROBE_PANELS), by="body"),
+    },
+    "bookshelf": {
+        "bands": Marking("books", partial(fronts.belts, spans=bodywork.BOOK_BANDS), by="frame"),
+        "labels": Marking("volumes", partial(fronts.belts, spans=bodywork.BOOK_LABELS), by="frame"),
+        "stripes": Marking("tomes", partial(fronts.belts, spans=bodywork.BOOK_STRIPES), by="frame"),
+    },
+    "bed": {
+        "stripes": Marking(
+            "blanket", partial(fronts.belts, spans=bodywork.BLANKET_STRIPES, axis=1)
+        ),
+        "panels": Marking("frame", partial(bodywork.laid, **bodywork.BED_PANELS)),
+    },
+    "sofa": {
+        "buttons": Marking("back", partial(bodywork.laid, **bodywork.SOFA_BUTTONS)),
+        "piping": Marking("arms", partial(bodywork.laid, **bodywork.ARM_PIPING), paired=True),
+    },
+    "armchair": {
+        "buttons": Marking("back", partial(bodywork.laid, **bodywork.CHAIR_BUTTONS)),
+        "piping": Marking("arms", partial(bodywork.laid, **bodywork.ARM_PIPING), paired=True),
+    },
+    "can": {
+        "badge": Marking("label", partial(bodywork.laid, **bodywork.CAN_BADGE)),
+        "wave": Marking("label", partial(bodywork.wave, high=0.16, wide=0.5)),
+    },
+    "bottle": {
+        "badge": Marking("label", partial(bodywork.laid, **bodywork.LABEL_BADGE)),
+        "bands": Marking("label", partial(fronts.belts, spans=bodywork.BOTTLE_BANDS)),
+        "label": Marking("body", partial(fronts.belt, low=-0.75, high=-0.12)),
+    },
+    "suitcase": {
+        "stickers": Marking("body", partial(bodywork.laid, **bodywork.STICKERS)),
+        "seam": Marking("body", partial(fronts.belt, low=-0.05, high=0.05, axis=1)),
+    },
+    "backpack": {
+        "badge": Marking("pocket", partial(bodywork.laid, **bodywork.POCKET_BADGE)),
+        "zips": Marking("pocket", partial(bodywork.laid, **bodywork.POCKET_ZIPS)),
+    },
+    "traffic light": {
+        "border": Marking("body", partial(bodywork.laid, **bodywork.LIGHT_BORDER)),
+    },
+    "mailbox": {
+        "letters": Marking(
+            "box", partial(fronts.on_sides, text="MAIL", high=0.3, at=(0.36, -0.12))
+        ),
+        "slots": Marking("door", partial(bodywork.laid, **bodywork.MAIL_SEAMS)),
+    },
+    "notice board": {
+        "lines": Marking("paper", partial(bodywork.hoops, pitch=0.058, wide=0.009)),
+        "words": Marking("notes", partial(bodywork.hoops, pitch=0.058, wide=0.009)),
+    },
+    "gift": {
+        "dots": Marking("box", partial(bodywork.laid, **bodywork.GIFT_DOTS)),
+    },
 }

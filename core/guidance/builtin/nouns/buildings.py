@@ -227,6 +227,8 @@ BUILDINGS = {
             "shelves": "-8f979e . metal",
             "panel": "-d3d7da . metal",
             "flap": "-26282b",
+            "letters": "-f6f3ea . paint",
+            "stripes": "-f6f3ea . paint",
         },
         Usual(1.9, STEEL, 0.02),
     ),

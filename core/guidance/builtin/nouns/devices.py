@@ -10,6 +10,8 @@ DEVICES = {
             "screen": "-2b5f9e",
             "keys": "+26282c keys",
             "touchpad": "-7f858c",
+            "icons": "-cfe0f2",
+            "badge": "-e9edf1 . metal",
         },
         Usual(0.35, PLASTIC, 0.25),
     ),
@@ -19,15 +21,23 @@ DEVICES = {
         {
             "body": "*2a2c31",
             "screen": "-3f86c8",
-            "camera": "-131416",
+            "camera": "-4b5058",
             "buttons": "+8b9096",
             "icons": "-e6eef6",
+            "lenses": "-0b0c0f . glass",
         },
         Usual(0.15, 2200.0, 0.45),
     ),
     "monitor": Noun(
         "computer monitor, computer screen, screen; computer display",
-        {"body": "*26282c", "screen": "-3a78b8", "stand": "&3a3d42", "button": "-49d06a"},
+        {
+            "body": "*26282c",
+            "screen": "-3a78b8",
+            "stand": "&3a3d42",
+            "button": "-49d06a",
+            "icons": "-cfe2f5",
+            "slots": "-121316",
+        },
         Usual(0.55, PLASTIC, 0.3),
     ),
     "keyboard": Noun(
@@ -44,13 +54,21 @@ DEVICES = {
             "glass": "-3f5f8a . glass",
             "button": "&8c9095 . metal",
             "flash": "-f4f1e2",
+            "rings": "-c9ced3 . metal",
+            "screen": "-2c5a86 . glass",
         },
         Usual(0.14, PLASTIC, 0.8),
     ),
     "speaker": Noun(
         "loudspeaker, speakers; subwoofer, amplifier, guitar amp, amp, bluetooth speaker, smart "
         "speaker",
-        {"body": "*4a2f1d grain", "cones": "-2b2c2f", "rims": "+9a9fa5 . metal"},
+        {
+            "body": "*4a2f1d grain",
+            "cones": "-2b2c2f",
+            "rims": "+9a9fa5 . metal",
+            "caps": "+8d9299 . metal",
+            "rings": "-53565c . rubber",
+        },
         Usual(0.5, WOOD, 0.5),
     ),
     "microphone": Noun(
@@ -75,6 +93,7 @@ DEVICES = {
             "handle": "&8a2b20",
             "aerial": "-b9bdc2 . metal",
             "slots": "-4a3c30",
+            "marks": "-6e3b2a",
         },
         Usual(0.3, PLASTIC, 0.4),
     ),
@@ -140,7 +159,14 @@ DEVICES = {
     ),
     "television": Noun(
         "tv, tv set, television set; flatscreen, retro tv, crt",
-        {"body": "*3a2c24", "screen": "-16222c . glass", "stand": "&55504c", "buttons": "+d0b878"},
+        {
+            "body": "*3a2c24",
+            "screen": "-16222c . glass",
+            "stand": "&55504c",
+            "buttons": "+d0b878",
+            "glare": "-3f5665 . glass",
+            "slots": "-17120f",
+        },
         Usual(1.1, PLASTIC, 0.041),
     ),
     "typewriter": Noun(

@@ -147,6 +147,8 @@ EQUIPMENT_SMALL = {
             "notes": "+f7d84a",
             "cards": "+7cc3e8",
             "pins": "-d5342c . plastic",
+            "lines": "-8f98a3",
+            "words": "-8a6d1f",
         },
         Usual(1.0, WOOD, 0.3),
     ),

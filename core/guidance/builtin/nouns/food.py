@@ -118,7 +118,13 @@ FOOD = {
         "soda can, tin can, beverage can; beer can, soup can, energy drink, can of soda, can of "
         "beans, can of soup, canned food, canned beans, canned soup, canned fish, soda, cola, "
         "coke, pepsi, spray can, aerosol can, paint can",
-        {"label": "*c91f25 . paint", "can": "+b9bdc2 . metal", "tab": "-9a9ea4 . metal"},
+        {
+            "label": "*c91f25 . paint",
+            "can": "+b9bdc2 . metal",
+            "tab": "-9a9ea4 . metal",
+            "badge": "-c91f25 . paint",
+            "wave": "-f4f1ea . paint",
+        },
         Usual(0.12, STEEL, 0.071),
     ),
     "jar": Noun(

@@ -240,6 +240,8 @@ MARKED_VEHICLES = {
             "lamps": "-f7f2d8",
             "stripe": "+1b1b1d . paint",
             "letters": "-1b1b1d . paint",
+            "trim": "-1d1e21 . plastic",
+            "tail lamps": "-a30d14 . plastic",
         },
         Usual(11.0, STEEL, 0.02),
         "bus",
@@ -248,7 +250,7 @@ MARKED_VEHICLES = {
         "cop car, police cruiser, squad car, patrol car; sheriff car, police vehicle",
         {
             "body": "*17181c . paint",
-            "windows": GLASS_LOOK,
+            "windows": "-6d8aa0 . glass",
             "wheels": TYRES_LOOK,
             "lamps": "-f7eec2",
             "hubs": "-d8dadd . metal",

@@ -126,7 +126,14 @@ PROPS = {
     "book": Noun(
         "spellbook, old book; bible, tome, grimoire, dictionary, novel, textbook, necronomicon, "
         "encyclopedia, magazine, newspaper, passport, paperback, comic book, calendar, manual",
-        {"cover": "*7a1f24", "pages": "-f0e6cc", "bands": "+d8a83c . golden"},
+        {
+            "cover": "*7a1f24",
+            "pages": "-f0e6cc",
+            "bands": "+d8a83c . golden",
+            "badge": "+e0b04a . golden",
+            "border": "+d8a83c . golden",
+            "lines": "-bfa983",
+        },
         Usual(0.26, WOOD, 0.47),
     ),
     "scroll": Noun(
@@ -206,12 +213,20 @@ PROPS = {
             "door": "&3f6ea8 . paint",
             "flag": "-c9211e",
             "post": "-7a4a24 grain",
+            "letters": "-f4f1e8 . paint",
+            "slots": "-1f2226",
         },
         Usual(1.3, STEEL, 0.0069),
     ),
     "gift": Noun(
         "gift box, present, wrapped present; parcel, package",
-        {"box": "*c0262c", "lid": "*c0262c", "ribbon": "+f0c24a", "bow": "+f0c24a"},
+        {
+            "box": "*c0262c",
+            "lid": "*c0262c",
+            "ribbon": "+f0c24a",
+            "bow": "+f0c24a",
+            "dots": "-f4efe4",
+        },
         Usual(0.3, WOOD, 0.14),
     ),
     "basket": Noun(
@@ -259,6 +274,7 @@ PROPS = {
             "hoods": "&1d1f21 . paint",
             "pole": "+6e7378 . metal",
             "base": "&55595e . metal",
+            "border": "-f2c01c . paint",
         },
         Usual(2.8, STEEL, 0.016),
     ),

@@ -48,6 +48,8 @@ TOOLS_AND_TOYS = {
             "eyes": "-49d0e0",
             "aerial": "-d63a2a",
             "joints": "-3f4750 . metal",
+            "mouth": "-2a2f37 . metal",
+            "buttons": "+d63a2a . plastic",
         },
         Usual(0.3, STEEL, 0.15),
     ),
