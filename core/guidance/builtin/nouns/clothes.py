@@ -155,7 +155,7 @@ CLOTHES = {
             "bow": "-f0d9e4",
             "sleeves": "*c23a78 . fabric",
         },
-        Usual(1.2, FABRIC, 0.0087),
+        Usual(1.2, FABRIC, 0.0052),
     ),
     "wizard hat": Noun(
         "witch hat, wizard's hat, witch's hat, magic hat; party hat, birthday hat, "
