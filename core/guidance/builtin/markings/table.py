@@ -199,7 +199,12 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "trim": Marking("body", partial(bodywork.laid, **bodywork.FIRE_TRIM)),
         "stripe": Marking("body", partial(fronts.belt, low=-0.6, high=-0.44)),
     },
-    "double decker bus": {"stripe": Marking("body", partial(fronts.belt, low=0.13, high=0.25))},
+    "double decker bus": {
+        "windows": Marking("body", partial(bodywork.windows, **bodywork.DOUBLE_DECKER_WINDOWS)),
+        "tail lamps": Marking("body", partial(bodywork.laid, **bodywork.DOUBLE_DECKER_TAIL)),
+        "trim": Marking("body", partial(bodywork.laid, **bodywork.DOUBLE_DECKER_TRIM)),
+        "stripe": Marking("body", partial(fronts.belt, low=0.13, high=0.25)),
+    },
     "first aid kit": {
         "cross": Marking("body", partial(prints.stamp, shape="cross", size=0.42, at=(0.0, -0.1)))
     },

@@ -157,6 +157,8 @@ HAULAGE = {
             "hubs": "-cfd3d7 . metal",
             "stripe": "+f3ead2 . paint",
             "lamps": "-f4efd8",
+            "trim": "-222428 . plastic",
+            "tail lamps": "-8f0c12 . plastic",
         },
         Usual(11.0, STEEL, 0.005),
     ),
