@@ -399,7 +399,10 @@ DOUBLE_DECKER_TRIM = {
         Plate((0, -0.93), (1.2, 0.07)),
     ),
 }
-DOUBLE_DECKER_TAIL = {"back": (Plate((0.74, -0.6), (0.105, 0.085), 0.4, twice=True),)}
+DOUBLE_DECKER_TAIL = {
+    "back": (Plate((0.74, -0.6), (0.105, 0.085), 0.4, twice=True),),
+    "deep": 0.3,
+}
 SCHOOL_BUS_TRIM = {
     "front": BUS_TRIM["front"][2:],
     "back": _BUS_BACK,
