@@ -256,9 +256,9 @@ def test_what_is_printed_is_where_it_belongs():
 
 
 def test_an_ambulance_has_a_cross_on_both_sides_and_none_on_its_back():
-    places = torch.tensor([[1.0, 0.38, 0.14], [-1.0, 0.38, 0.14], [0.06, 1.0, 0.14]])
+    places = torch.tensor([[1.0, 0.38, 0.14], [-1.0, 0.38, 0.14], [0.3, 1.0, -0.1]])
     assert seen("ambulance", places) == ["cross", "cross", "body"]
-    about = torch.tensor([[x, y, -0.56] for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])
+    about = torch.tensor([[x, y, -0.56] for x, y in ((1, 0), (-1, 0), (0.3, 1), (0.3, -1))])
     assert seen("ambulance", about) == ["cross"] * 4, "the stripe"
 
 

@@ -340,7 +340,11 @@ VAN_TRIM = {"front": _VAN_FRONT, "back": _VAN_BACK, "sides": (*_VAN_SIDES, *_SLI
 VAN_TAIL = {"back": (Plate((0.86, -0.28), (0.07, 0.25), 0.4, twice=True),)}
 VAN_PLATES = {"front": _plate(-0.67, 0.28, 0.115), "back": _plate(-0.45, 0.27, 0.11)}
 AMBULANCE_WINDOWS = VAN_WINDOWS | {"sides": VAN_WINDOWS["sides"][:1]}
-AMBULANCE_TRIM = {"front": _VAN_FRONT, "back": _VAN_BACK, "sides": _VAN_SIDES}
+AMBULANCE_TRIM = {  # it has no number plates
+    "front": (*_VAN_FRONT[:2], *_VAN_FRONT[3:]),
+    "back": (*_VAN_BACK[:2], *_VAN_BACK[3:]),
+    "sides": _VAN_SIDES,
+}
 _BUS_SIDES = (
     Cells((-0.52, 0.32), (0.42, 0.36), (3, 1), (0.86, 1), 0.15),
     Cells((0.58, 0.32), (0.37, 0.36), (3, 1), (0.86, 1), 0.15),
