@@ -5,7 +5,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, FLESH, SNOW, STEEL, Noun, U
 ANIMALS = {
     "pig": Noun(
         "piggy; piglet, boar, wild boar, hog, warthog",
-        {"body": "*eda3a6", "snout": "+d97f86", "eyes": "-151212"},
+        {"body": "*eda3a6", "snout": "+d97f86", "eyes": "-151212", "nostrils": "-8f4a52"},
         Usual(1.2, FLESH, 0.68),
     ),
     "fish": Noun(
@@ -17,12 +17,20 @@ ANIMALS = {
             "eyes": "-111114",
             "whites": "-f4f2ec",
             "lips": "-d8601a",
+            "scales": "&d0641a",
         },
         Usual(0.3, FLESH, 0.31),
     ),
     "rabbit": Noun(
         "bunny, bunnies; hare",
-        {"body": "*a58a70", "tail": "+f0ece4", "eyes": "-161212", "nose": "-d98a8f"},
+        {
+            "body": "*a58a70",
+            "tail": "+f0ece4",
+            "eyes": "-161212",
+            "nose": "-d98a8f",
+            "inner ears": "-e0a8a4",
+            "belly": "+e6d8c6",
+        },
         Usual(0.35, FLESH, 0.6),
     ),
     "turtle": Noun(
@@ -55,13 +63,21 @@ ANIMALS = {
             "arms": "-5a3a22 . wooden",
             "scarf": "-c02a2a . fabric",
             "hat": "+141417",
+            "cheeks": "-f0a8a4",
+            "ribbon": "+b02428 . fabric",
         },
         Usual(1.6, SNOW),
     ),
     "cat": Noun(
         "kitty, house cat; kitten, tomcat, lynx, bobcat, cougar, sphynx, calico cat, "
         "tuxedo cat, siamese cat, siamese, ginger cat, maine coon",
-        {"body": "*8a7a68", "muzzle": "+e8e0d4", "eyes": "-111111", "nose": "-d98a8f"},
+        {
+            "body": "*8a7a68",
+            "muzzle": "+e8e0d4",
+            "eyes": "-111111",
+            "nose": "-d98a8f",
+            "whiskers": "-5a4a40",
+        },
         Usual(0.45, FLESH, 0.56),
     ),
     "dog": Noun(
@@ -76,6 +92,7 @@ ANIMALS = {
             "muzzle": "+e6d3b5",
             "eyes": "-111111",
             "nose": "-1a1818",
+            "mouth": "-2a1c18",
         },
         Usual(0.8, FLESH, 0.76),
     ),
@@ -98,12 +115,19 @@ ANIMALS = {
             "muzzle": "+f0ece4",
             "eyes": "-111111",
             "nose": "-1a1818",
+            "mouth": "-2a1c18",
         },
         Usual(0.9, FLESH, 0.3),
     ),
     "bear": Noun(
         "brown bear; grizzly, grizzly bear, polar bear, bear cub",
-        {"body": "*6b4526", "muzzle": "+b08a5e", "eyes": "-111111", "nose": "-1a1818"},
+        {
+            "body": "*6b4526",
+            "muzzle": "+b08a5e",
+            "eyes": "-111111",
+            "nose": "-1a1818",
+            "mouth": "-22160f",
+        },
         Usual(2.0, FLESH, 0.3),
     ),
     "lion": Noun(
@@ -114,6 +138,7 @@ ANIMALS = {
             "muzzle": "&ecd9ae",
             "eyes": "-111111",
             "nose": "-4a2c22",
+            "mouth": "-4a2c22",
         },
         Usual(2.2, FLESH, 0.32),
     ),
@@ -126,6 +151,7 @@ ANIMALS = {
             "eyes": "-111111",
             "udder": "-e0a8a0",
             "patches": "+2e2926",
+            "nostrils": "-96605c",
         },
         Usual(2.3, FLESH, 0.54),
     ),
@@ -233,6 +259,8 @@ ANIMALS = {
             "plume": "+b82a28",
             "shield": "+b82a28",
             "sword": "-cfd3d8 . metal",
+            "belt": "-4a3222 . leather",
+            "breaths": "-141416",
         },
         Usual(1.9, STEEL, 0.03),
     ),

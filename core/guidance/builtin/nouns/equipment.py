@@ -248,6 +248,8 @@ EQUIPMENT_DOLLS = {
             "eyes": "-1d1a1c",
             "apron": "+fbf6ee . fabric",
             "shoes": "&a3254f . leather",
+            "mouth": "-b03a3e",
+            "cheeks": "-ee9a8c",
         },
         Usual(0.4, FABRIC, 0.5),
     ),

@@ -15,6 +15,7 @@ CHILDREN_AND_TROLLS = {
             "bows": "+f2c230 . fabric",
             "shoes": "&a8304e . leather",
             "eyes": _EYES,
+            "mouth": "-b5524e",
         },
         Usual(1.2, FLESH, 0.13),
     ),

@@ -146,6 +146,8 @@ LEGENDS = {
             "skin": "-e2b08c",
             "beard": "-8a5a34",
             "eyes": "-16120e",
+            "glints": "-ffffff",
+            "spots": "-1c1a1c . fabric",
         },
         Usual(1.9, FLESH, 0.09),
     ),
