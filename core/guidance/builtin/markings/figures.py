@@ -207,3 +207,22 @@ def trouser_seams(points: Points, half: Half, line: float = 0.013) -> Margin:
     )
     sides = all_of(1.2 * line - y.abs(), x - 0.5 * half[0])
     return any_of(fly, curve, stitch, sides)
+
+
+def dashed(
+    points: Points, half: Half, at: float, wide: float, pitch: float = 0.09, gap: float = 0.35
+) -> Margin:
+    """Stitches about a shoe's sole: their height and half their width in halves, a ``gap``'s share
+    of the pitch."""
+    step = (points[:, 1] + points[:, 0]) / pitch
+    dash = ((1 - gap) / 2 - (step - step.round()).abs()) * pitch
+    return all_of(hoop(points, half, at, wide), dash)
+
+
+def jacket_seams(points: Points, half: Half, line: float = 0.013) -> Margin:
+    """The yoke's edge below both shoulders, and seams down the sides of the front."""
+    yoke = all_of(
+        line - (points[:, 2] - 0.42 * half[2] - 0.1 * points[:, 0].abs()).abs(),
+        0.52 * half[0] - points[:, 0].abs(),
+    )
+    return any_of(yoke, upright(points, half, (-0.32, 0.32), -0.8, 0.42, line))

@@ -58,6 +58,7 @@ PANEL_BUTTONS = [(-0.45, 0.25), (0.0, 0.25), (0.45, 0.25)]
 BREATHS = [(0.1 + 0.07 * k, up) for k in range(2) for up in (0.44, 0.4)]
 WHISKERS = [(0.5, 0.2), (0.66, -0.2), (0.42, -0.35)]
 MUZZLED = Marking("muzzle", figures.muzzle_mouth)
+NAILS = [(0.36, -0.92), (0.56, -0.95), (0.76, -0.92)]
 EARED = figures.Face(axis=2)
 GIRL = figures.Face(radius=0.33)
 SNOWMAN = figures.Face(share=0.535)
@@ -645,7 +646,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "whiskers": Marking("muzzle", partial(figures.dots, places=WHISKERS, size=0.075, both=True))
     },
     "rabbit": {
-        "inner ears": Marking("body", partial(figures.patches, at=(0.35, 0.62), size=(0.1, 0.24))),
+        "ears": Marking("body", partial(figures.patches, at=(0.35, 0.62), size=(0.1, 0.24))),
         "belly": Marking(
             "body", partial(figures.patches, at=(0.0, -0.42), size=(0.46, 0.3), both=False)
         ),
@@ -670,4 +671,10 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "seams": Marking("cap", figures.panels),
     },
     "sneaker": {"lines": Marking("sole", partial(figures.hoop, at=0.2, wide=0.16))},
+    "boot": {"stitches": Marking("sole", partial(figures.dashed, at=0.5, wide=0.09))},
+    "backpack": {"zip": Marking("pocket", partial(figures.hoop, at=0.6, wide=0.06))},
+    "jacket": {"seams": Marking("body", figures.jacket_seams)},
+    "elephant": {
+        "nails": Marking("body", partial(figures.dots, places=NAILS, size=0.085, both=True))
+    },
 }

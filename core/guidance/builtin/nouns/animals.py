@@ -28,7 +28,7 @@ ANIMALS = {
             "tail": "+f0ece4",
             "eyes": "-161212",
             "nose": "-d98a8f",
-            "inner ears": "-e0a8a4",
+            "ears": "-e0a8a4",
             "belly": "+e6d8c6",
         },
         Usual(0.35, FLESH, 0.6),
@@ -163,7 +163,13 @@ ANIMALS = {
     ),
     "elephant": Noun(
         "; baby elephant",
-        {"body": "*85868a", "ears": "&95919a", "tusks": "-efe6d0", "eyes": "-111111"},
+        {
+            "body": "*85868a",
+            "ears": "&95919a",
+            "tusks": "-efe6d0",
+            "eyes": "-111111",
+            "nails": "-e6dcc8",
+        },
         Usual(5.0, FLESH, 0.26),
     ),
     "giraffe": Noun(
