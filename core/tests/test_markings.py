@@ -107,6 +107,19 @@ def test_spots_are_on_both_sides_of_a_front(noun, part):
     assert (seen[:, 1] < middle[1] + 0.1).all() and (seen[:, 1] < middle[1]).float().mean() > 0.5
 
 
+LIT = [noun for noun, parts in MARKINGS.items() if "glints" in parts]
+
+
+@pytest.mark.parametrize("noun", LIT)
+def test_a_face_has_two_eyes_with_a_light_in_each(noun):
+    points = on_a_ball(40000)
+    eyes, lights = (MARKINGS[noun][part].marks(points, UNIT) > 0 for part in ("eyes", "glints"))
+    assert eyes[lights].float().mean() > 0.9 and lights.sum() < 0.5 * eyes.sum()
+    for side in (-1, 1):
+        assert (points[eyes, 0] * side > 0).any() and (points[lights, 0] * side > 0).any()
+    assert (points[eyes, 0].abs() > 0.1).all() and (points[eyes, 1] < 0).all()
+
+
 def test_an_eighth_part_is_a_marking_as_the_network_draws_seven():
     eight = {noun: list(row.looks)[7:] for noun, row in NOUNS.items() if len(row.looks) > 7}
     left = {noun for noun, parts in eight.items() if not is_marking(noun, parts[0])}
