@@ -53,7 +53,7 @@ STARS = [(0, 0.0, 0.16), (48, -0.3, 0.09), (-42, 0.22, 0.08), (95, 0.05, 0.13), 
 STARS += [(145, -0.25, 0.1), (-150, 0.1, 0.11), (180, 0.45, 0.06), (25, 0.48, 0.055)]  # a wizard's
 ROBE_STARS = [(-28, 0.12, 0.11), (30, -0.28, 0.13), (-12, -0.66, 0.1), (85, -0.55, 0.12)]
 ROBE_STARS += [(-80, -0.4, 0.13), (150, -0.1, 0.12), (-140, -0.6, 0.13), (180, 0.3, 0.09)]
-COAT_BUTTONS = [(side * 0.13, up) for side in (-1, 1) for up in (0.36, 0.02, -0.6)]
+COAT_BUTTONS = [(side * 0.13, up) for side in (-1, 1) for up in (0.44, 0.2, -0.6)]
 PANEL_BUTTONS = [(-0.45, 0.25), (0.0, 0.25), (0.45, 0.25)]
 BREATHS = [(0.1 + 0.07 * k, up) for k in range(2) for up in (0.44, 0.4)]
 WHISKERS = [(0.5, 0.2), (0.66, -0.2), (0.42, -0.35)]
@@ -600,7 +600,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     },
     "pirate": {
         "skull": Marking(
-            "hat", partial(prints.stamp, shape="skull and crossbones", size=0.32, at=(0.0, 0.24))
+            "hat", partial(prints.stamp, shape="skull and crossbones", size=0.3, at=(0.0, 0.32))
         ),
         "buttons": Marking("coat", partial(figures.dots, places=COAT_BUTTONS, size=0.055)),
     },
@@ -667,7 +667,7 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "dress": {"pleats": Marking("skirt", figures.folds)},
     "trousers": {"seams": Marking("body", figures.trouser_seams)},
     "baseball cap": {
-        "star": Marking("badge", partial(prints.stamp, shape="star", size=0.72)),
+        "star": Marking("badge", partial(prints.stamp, shape="star", size=0.6, at=(0.0, 0.06))),
         "seams": Marking("cap", figures.panels),
     },
     "sneaker": {"lines": Marking("sole", partial(figures.hoop, at=0.2, wide=0.16))},
