@@ -672,7 +672,6 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     },
     "sneaker": {"lines": Marking("sole", partial(figures.hoop, at=0.2, wide=0.16))},
     "boot": {"stitches": Marking("sole", partial(figures.dashed, at=0.5, wide=0.09))},
-    "backpack": {"zip": Marking("pocket", partial(figures.hoop, at=0.6, wide=0.06))},
     "jacket": {"seams": Marking("body", figures.jacket_seams)},
     "elephant": {
         "nails": Marking("body", partial(figures.dots, places=NAILS, size=0.085, both=True))

@@ -99,7 +99,6 @@ CLOTHES = {
             "buckles": "-c7cacf . metal",
             "badge": "-f4f1e8 . fabric",
             "zips": "-c7cacf . metal",
-            "zip": "-c7cacf . metal",
         },
         Usual(0.5, FABRIC, 0.12),
     ),
