@@ -210,6 +210,7 @@ FURNITURE = {
             "fire": "-ff8a1a",
             "logs": "-4a2f1c",
             "hearth": "-7b7873 . stone",
+            "mortar": "-cdb8a4 . stone",
         },
         Usual(1.5, STONE),
     ),

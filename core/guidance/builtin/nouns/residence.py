@@ -14,6 +14,8 @@ RESIDENCE_BUILDINGS = {
             "frames": "-26282b . metal",
             "door": "-8a5a34 grain",
             "garage": "&a8794a grain",
+            "mullions": "-26282b . metal",
+            "slats": "-6e4f2c",
         },
         Usual(14.0, STONE, 0.15),
     ),
