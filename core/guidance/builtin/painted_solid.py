@@ -125,10 +125,12 @@ class PaintedSolid:
 
 
 def bears(words: Words, part: str) -> bool:
-    """Whether markings that are to be there lie on the part."""
+    """Whether the part stays for the markings on it, which are half of the thing's parts at least: a
+    door goes with its panels, a rug's border stays under its lozenges."""
     noun = words.noun
-    marked = (name for name in looks(noun) if name not in words.absent)
-    return any(is_marking(noun, name) and bearer_of(noun, name) == part for name in marked)
+    present = [name for name in looks(noun) if name not in words.absent]
+    laid = [name for name in present if is_marking(noun, name) and bearer_of(noun, name) == part]
+    return bool(laid) and 2 * len(laid) >= len(present)
 
 
 def _with(
