@@ -789,7 +789,7 @@ MARKINGS |= {
     "house": {
         "panels": Marking("door", facades.panels),
         **_glazed(HOUSE_WINDOWS),
-        "tiles": Marking("roof", facades.tiles),
+        "seams": Marking("roof", facades.tiles),
     },
     "cottage": {
         "panels": Marking("door", facades.panels),
@@ -800,7 +800,7 @@ MARKINGS |= {
         "panels": Marking("door", partial(facades.panels, rows=((-0.84, 0.84),))),
         "cross": Marking("walls", partial(prints.stamp, shape="cross", size=0.24, at=(0.0, 0.62))),
         **_glazed(CHURCH_WINDOWS),
-        "tiles": Marking("roof", partial(facades.tiles, axis=1)),
+        "seams": Marking("roof", partial(facades.tiles, axis=1)),
     },
     "tower": {
         "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),

@@ -47,6 +47,9 @@ PART_SYNONYMS = {
     "cups": "ear cups",
     "pads": "ear cushions, ear pads",
     "flame": "flames",
+    "frames": "window frames, window frame, window trim",
+    "tail lamps": "taillights, tail lights, rear lights, brake lights, tail lamp",
+    "number plates": "license plate, license plates, licence plate, number plate",
 }
 # What else a thing may call a part, the likeliest first: a fan's base is its stand.
 PART_ALSO = {
@@ -125,6 +128,13 @@ PART_ALSO = {
     "planter": "pot, tray",
     "pump": "cap",
     "bumper": "trim",
+    "bumpers": "trim",
+    "grille": "trim, bars",
+    "grill": "trim, bars",
+    "smile": "mouth",
+    "shingles": "roof",
+    "tiles": "roof",
+    "roof tiles": "roof",
     "hubcaps": "hubs",
     "engine": "boiler",
     "locomotive": "boiler",
