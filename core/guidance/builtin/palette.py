@@ -119,7 +119,7 @@ class Look(NamedTuple):
     pattern: str
     finish: Finish
     material: str = ""  # what it is of: its finish's name, or the kind of its substance
-    shade: bool = False  # a marking that goes with its bearer's colour: under words a shade of it
+    shaded: str = ""  # of a marking the part that it goes with: under words a shade of its colour
 
 
 @cache
@@ -136,15 +136,16 @@ def _look(noun: str, part: str, text: str) -> Look:
     if finish.metallic > 0.5:
         rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]
     red, green, blue = rgb
-    return Look(
-        text[0], (red, green, blue), pattern.strip("."), finish, kind, _is_shade(noun, part)
-    )
+    on = _shaded(noun, part)
+    role = NOUNS[noun].looks[on][0] if on else text[0]
+    return Look(role, (red, green, blue), pattern.strip("."), finish, kind, on)
 
 
-def _is_shade(noun: str, part: str) -> bool:
-    """A seam in the colour of the planks would not be seen."""
-    rows, marking = NOUNS[noun].looks, MARKINGS.get(noun, {}).get(part)
-    return marking is not None and rows[part][0] == "&" and rows[marking.on][0] in "*&"
+def _shaded(noun: str, part: str) -> str:
+    """What a marking is a shade of: a seam in the colour of the planks would not be seen. ""
+    of what is none."""
+    marking = MARKINGS.get(noun, {}).get(part)
+    return marking.on if marking and NOUNS[noun].looks[part][0] == "&" else ""
 
 
 def darker(color: Color) -> Color:
@@ -225,7 +226,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     # "A white cake with pink icing": where that is so, its colour is what lies below's.
     below = [name for name in WHOLE if covered and name in looks(noun) and name not in said]
     for name, look in looks(noun).items():
-        accent = own.get(name, Accent(name))
+        accent = own.get(name) or own.get(look.shaded, Accent(name))
         if lines and name == STRIPES and not accent.color:
             accent = accent._replace(color=lines.color, color_form=lines.form)
         if lines and name == lines.on:
@@ -233,7 +234,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         # The material first: a stated colour then replaces the material's own.
         material, form, finish, color, pattern = _of_words(noun, look, accent, stated)
         word = (accent.color, accent.color_form)
-        word = other if stated.target == name and not accent.color else word
+        targets = (name, look.shaded) if look.shaded else (name,)
+        word = other if stated.target in targets and not accent.color else word
         # What is said of the whole is not of it.
         apart = bool(word[0] or accent.material or accent.pattern)
         of_whole = (look.role in "*&" or stated.is_statue) and not apart
@@ -241,7 +243,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             word = first
         if word[0] or apart:
             color, pattern = _value(word) or color, finish.pattern
-        if look.shade and (word[0] or material) and not apart:
+        if look.shaded and (word[0] or material) and name not in own:
             color = darker(color)
         sheen = (accent.sheen,) if accent.sheen else stated.sheen
         sheen = sheen if accent.sheen or of_whole else ()
@@ -279,7 +281,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             form,
             bool(word[0]),
             sheen,
-            bool(apart or accent.sheen),
+            bool((apart or accent.sheen) and (name in own or not look.shaded)),
             tone or "",
         )
 

@@ -50,7 +50,7 @@ def _as_new(words: Words, part: Painted) -> Surface:
     tone, form = split_tone(part.material_form)
     variant = VARIANTS.get(form) or Variant(_kind(words, part))
     wanted = variant.color
-    if wanted and part.look.shade and not part.apart:
+    if wanted and part.look.shaded and not part.apart:
         wanted = darker(wanted)
     if tone:
         wanted = toned(wanted or part.color, tone)
