@@ -125,8 +125,8 @@ class PaintedSolid:
 
 
 def bears(words: Words, part: str) -> bool:
-    """Whether the part stays for the markings on it, which are half of the thing's parts at least: a
-    door goes with its panels, a rug's border stays under its lozenges."""
+    """Whether the part stays for the markings on it, which are at least half of the thing's parts:
+    a door goes with its panels, a rug's border stays under its lozenges."""
     noun = words.noun
     present = [name for name in looks(noun) if name not in words.absent]
     laid = [name for name in present if is_marking(noun, name) and bearer_of(noun, name) == part]

@@ -8,6 +8,7 @@ from core.guidance.builtin.markings import (
     boards,
     bodywork,
     coats,
+    craft,
     facades,
     figures,
     flags,
@@ -134,7 +135,8 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "rooster": {"eyes": Marking("neck", partial(fronts.spots, at=(0.11, 0.2, 0.12), radius=0.06))},
     "turkey": {"eyes": Marking("head", partial(fronts.spots, at=(0.12, 0.12, 0.15), radius=0.06))},
     "garbage truck": {
-        "lamps": Marking("cab", partial(fronts.spots, at=(0.18, 0.2, 0.37), radius=0.075))
+        "windows": Marking("cab", partial(bodywork.laid, **craft.GARBAGE_WINDOWS)),
+        "lamps": Marking("cab", partial(fronts.spots, at=(0.18, 0.2, 0.37), radius=0.075)),
     },
     "ray gun": {
         "window": Marking("body", partial(balls.caps, wide=0.4, ways=((0, -1, 0.1), (0, 1, 0.1))))
@@ -173,9 +175,19 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
         "marks": Marking("dial", partial(bodywork.laid, **bodywork.DIAL_MARKS)),
     },
     "barrel": {"seams": Marking("body", boards.staves, "wooden")},
-    "chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
-    "open chest": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
-    "crate": {"seams": Marking("planks", partial(boards.planks, count=6), "wooden")},
+    "chest": {
+        "keyhole": Marking("lock", partial(bodywork.laid, **craft.KEYHOLE)),
+        "rivets": Marking("bands", partial(bodywork.laid, **craft.RIVETS)),
+        "seams": Marking("body", partial(boards.planks, count=4), "wooden"),
+    },
+    "open chest": {
+        "keyhole": Marking("lock", partial(bodywork.laid, **craft.KEYHOLE)),
+        "seams": Marking("body", partial(boards.planks, count=4), "wooden"),
+    },
+    "crate": {
+        "nails": Marking("frame", partial(bodywork.laid, **craft.CRATE_NAILS)),
+        "seams": Marking("planks", partial(boards.planks, count=6), "wooden"),
+    },
     "rowboat": {"seams": Marking("hull", partial(boards.planks, count=5), "wooden")},
     "pirate ship": {"seams": Marking("hull", partial(boards.planks, count=10), "wooden")},
     "basket": {"weave": Marking("body", boards.weave)},
@@ -188,7 +200,12 @@ MARKINGS: dict[str, dict[str, Marking]] = {  # by noun and part; what lies on to
     "scroll": {"letters": Marking("paper", partial(prints.ruled, lines=SCRIPT, ends=(-0.52, 0.5)))},
     **{
         noun: {"frets": Marking("neck", boards.frets)}
-        for noun in ("guitar", "ukulele", "banjo", "electric guitar")
+        for noun in ("ukulele", "banjo", "electric guitar")
+    },
+    "guitar": {
+        "frets": Marking("neck", boards.frets),
+        "rosette": Marking("neck", craft.rosette),
+        "pickguard": Marking("body", partial(bodywork.laid, **craft.GUITAR_GUARD)),
     },
     "bunk bed": {"rungs": Marking("ladder", partial(boards.planks, count=6, wide=0.022))},
     "wagon": {"seams": Marking("body", partial(boards.planks, count=4), "wooden")},
@@ -854,4 +871,155 @@ MARKINGS |= {
         "letters": Marking("sign", partial(fronts.lettered, text="BUS", high=0.5, bold=0.06))
     },
     "fireplace": {"mortar": Marking("body", facades.courses)},
+    # Craft, machines, instruments, boxes.
+    "airplane": {
+        "windows": Marking("body", partial(craft.girt, **craft.PLANE_WINDOWS)),
+        "doors": Marking("body", partial(bodywork.laid, **craft.PLANE_DOORS)),
+        "stripe": Marking("body", partial(craft.girt, **craft.PLANE_STRIPE)),
+        "bands": Marking("tail", partial(fronts.belts, spans=craft.TAIL_BANDS)),
+    },
+    "helicopter": {
+        "panes": Marking("body", partial(bodywork.laid, **craft.HELICOPTER_PANES)),
+        "doors": Marking("body", partial(bodywork.laid, **craft.HELICOPTER_DOORS)),
+        "bands": Marking("body", partial(fronts.belts, spans=craft.HELICOPTER_BANDS, axis=1)),
+    },
+    "fighter jet": {
+        "stars": Marking("wings", partial(bodywork.laid, **craft.JET_STARS)),
+        "nose": Marking("body", partial(fronts.belts, spans=craft.JET_NOSE, axis=1)),
+    },
+    "rocket": {
+        "bands": Marking("hull", partial(fronts.belts, spans=craft.ROCKET_BANDS)),
+        "hatch": Marking("hull", partial(bodywork.laid, **craft.ROCKET_HATCH)),
+    },
+    "spaceship": {
+        "nose": Marking("hull", partial(fronts.belts, spans=craft.SHIP_NOSE, axis=1)),
+        "stripes": Marking("wings", partial(bodywork.laid, **craft.SHIP_STRIPES)),
+    },
+    "ufo": {
+        "band": Marking("body", partial(fronts.belt, low=-0.2, high=0.08)),
+        "seams": Marking("body", partial(craft.spokes, count=12, wide=0.011, reach=(0.3, 2.0))),
+        "frames": Marking("dome", partial(craft.spokes, count=6, wide=0.014, reach=(-1.0, 2.0))),
+    },
+    "submarine": {
+        "windows": Marking("hull", partial(bodywork.laid, **craft.SUB_PORTS)),
+        "rims": Marking("hull", partial(bodywork.laid, **craft.SUB_RIMS)),
+        "keel": Marking("hull", partial(fronts.belt, low=-2.0, high=-0.3)),
+    },
+    "satellite": {
+        "lines": Marking(
+            "panels",
+            partial(craft.lattice, count=(2, 4), room=0.02, wide=0.009),
+            paired=True,
+        ),
+        "seams": Marking("body", partial(bodywork.laid, **craft.FOIL)),
+    },
+    "space station": {
+        "lines": Marking(
+            "panels",
+            partial(craft.lattice, count=(2, 5), room=0.02, wide=0.008),
+            paired=True,
+        ),
+    },
+    "monster truck": {
+        "doors": Marking("body", partial(bodywork.laid, **craft.MONSTER_DOORS)),
+        "flames": Marking("body", partial(bodywork.laid, **craft.FLAMES)),
+    },
+    "boat": {
+        "anchor": Marking("sails", partial(bodywork.laid, **craft.ANCHOR)),
+        "stripe": Marking("hull", partial(craft.flank, low=0.4, high=0.66, out=0.84)),
+        "keel": Marking("hull", partial(fronts.belt, low=-2.0, high=-0.3)),
+    },
+    "sailboat": {
+        "anchor": Marking("sails", partial(bodywork.laid, **craft.ANCHOR)),
+        "keel": Marking("hull", partial(fronts.belt, low=-2.0, high=-0.4)),
+    },
+    "cruise ship": {
+        "portholes": Marking("hull", partial(bodywork.laid, **craft.PORTHOLES)),
+    },
+    "yacht": {
+        "portholes": Marking("hull", partial(bodywork.laid, **craft.YACHT_PORTS)),
+    },
+    "cargo ship": {
+        "ribs": Marking("containers", craft.container_ribs, by="hull"),
+        "ridges": Marking("boxes", craft.container_ribs, by="hull"),
+    },
+    "tractor": {
+        "grille": Marking("body", partial(bodywork.laid, **craft.TRACTOR_GRILLE)),
+        "lamps": Marking("body", partial(bodywork.laid, **craft.TRACTOR_LAMPS)),
+    },
+    "excavator": {
+        "stripes": Marking("body", partial(bodywork.laid, **craft.DIGGER_STRIPES)),
+        "vents": Marking("body", partial(bodywork.laid, **craft.DIGGER_VENTS)),
+        "links": Marking("tracks", bodywork.links),
+    },
+    "trash can": {
+        "flutes": Marking("body", partial(craft.flutes, count=14, share=0.34, high=0.84)),
+    },
+    "record player": {
+        "grooves": Marking("record", partial(fronts.rings, spans=GROOVES, axis=2)),
+        "panels": Marking("case", partial(bodywork.laid, **craft.CASE_PANELS)),
+    },
+    "cash register": {
+        "digits": Marking("display", partial(bodywork.laid, **craft.DISPLAY_DIGITS)),
+        "border": Marking("body", partial(bodywork.laid, **craft.TILL_BORDER)),
+    },
+    "printer": {
+        "lines": Marking("paper", partial(bodywork.laid, **craft.PRINTED)),
+    },
+    "drone": {
+        "lamps": Marking("body", partial(bodywork.laid, **craft.DRONE_LAMPS)),
+        "seams": Marking("body", partial(bodywork.laid, **craft.DRONE_SEAMS)),
+    },
+    "lamp": {
+        "bands": Marking("shade", partial(fronts.belts, spans=craft.SHADE_BANDS)),
+        "pleats": Marking("shade", partial(craft.flutes, count=24, share=0.15, high=0.9)),
+    },
+    "headphones": {
+        "badges": Marking("cups", partial(bodywork.laid, **craft.CUP_BADGES), paired=True),
+    },
+    "drum": {
+        "badge": Marking("shell", partial(bodywork.laid, **craft.DRUM_BADGE)),
+        "cords": Marking("shell", partial(craft.zigzag, count=8, high=0.8, wide=0.016)),
+    },
+    "piano": {
+        "panels": Marking("body", partial(bodywork.laid, **craft.PIANO_PANELS)),
+    },
+    "trophy": {
+        "plaque": Marking("base", partial(bodywork.laid, **craft.PLAQUE)),
+        "star": Marking("cup", partial(bodywork.laid, **craft.CUP_STAR)),
+    },
+    "toolbox": {
+        "letters": Marking("body", partial(fronts.lettered, **craft.TOOLS)),
+    },
+    "briefcase": {
+        "stitches": Marking("body", partial(bodywork.laid, **craft.STITCHED)),
+    },
+    "cannon": {
+        "bands": Marking("barrel", partial(fronts.belts, spans=craft.CANNON_BANDS, axis=1)),
+    },
+    "gas pump": {
+        "marks": Marking("face", partial(bodywork.laid, **craft.PUMP_MARKS), by="body"),
+        "star": Marking("globe", partial(bodywork.laid, **craft.GLOBE_STAR)),
+    },
+    "coffee machine": {
+        "digits": Marking("panel", partial(bodywork.laid, **craft.COFFEE_DIGITS)),
+        "buttons": Marking("panel", partial(bodywork.laid, **craft.COFFEE_BUTTONS)),
+    },
+    "telephone": {
+        "holes": Marking("dial", craft.dial_holes),
+    },
+    "space shuttle": {
+        "edges": Marking("wings", partial(bodywork.laid, **craft.SHUTTLE_EDGES)),
+        "doors": Marking("body", partial(bodywork.laid, **craft.SHUTTLE_DOORS)),
+        "tiles": Marking("body", partial(fronts.belt, low=-2.0, high=-0.42)),
+    },
+    "computer tower": {
+        "ports": Marking("body", partial(bodywork.laid, **craft.TOWER_PORTS)),
+    },
+    "motorcycle": {
+        "fins": Marking("engine", partial(bodywork.laid, **craft.ENGINE_FINS)),
+    },
+    "remote control": {
+        "seams": Marking("body", partial(bodywork.laid, **craft.REMOTE_SEAMS)),
+    },
 }

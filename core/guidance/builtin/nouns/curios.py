@@ -14,6 +14,8 @@ CURIO_VEHICLES = {
             "trim": "-d3d6d9 . metal",
             "chassis": "+8fd62a . paint",
             "lamps": "-fbf0b8",
+            "flames": "+f6b21c . paint",
+            "doors": "&471590 . paint",
         },
         Usual(5.5, STEEL, 0.02),
     ),

@@ -82,7 +82,13 @@ FURNITURE = {
     ),
     "lamp": Noun(
         "table lamp; lampshade, night light",
-        {"shade": "*eddbad", "pole": "-ffc757 . golden", "foot": "+403329"},
+        {
+            "shade": "*eddbad",
+            "pole": "-ffc757 . golden",
+            "foot": "+403329",
+            "bands": "+c99a4a . fabric",
+            "pleats": "&c9b07c . fabric",
+        },
         Usual(0.5, STEEL, 0.02),
     ),
     "desk": Noun(
@@ -222,6 +228,7 @@ FURNITURE = {
             "black keys": "-121212",
             "legs": "&1d1b1c . paint",
             "lid": "&1d1b1c . paint",
+            "panels": "-c99a3c . golden",
         },
         Usual(1.5, WOOD, 0.4),
     ),

@@ -101,7 +101,13 @@ HOUSEHOLD = {
     ),
     "trophy": Noun(
         "trophies; trophy cup, world cup, prize cup, gold cup",
-        {"cup": "*ffc94f . golden", "handles": "&ffc94f . golden", "base": "-2a211c"},
+        {
+            "cup": "*ffc94f . golden",
+            "handles": "&ffc94f . golden",
+            "base": "-2a211c",
+            "plaque": "&ffc94f . golden",
+            "star": "&c8862a . golden",
+        },
         Usual(0.4, STEEL, 0.039),
     ),
     "bowling pin": Noun(
@@ -240,7 +246,12 @@ HOUSEHOLD = {
         "garbage can, trashcan, dustbin, trash bin, garbage bin, waste bin; recycling "
         "bin, rubbish bin, litter bin, wheelie bin, trash bag bin, garbage pail, bin, "
         "recycle bin",
-        {"body": "*7e868c . metal", "lid": "&929aa0 . metal", "handles": "+5c6268 . metal"},
+        {
+            "body": "*7e868c . metal",
+            "lid": "&929aa0 . metal",
+            "handles": "+5c6268 . metal",
+            "flutes": "&565d62 . metal",
+        },
         Usual(0.9, STEEL, 0.0044),
     ),
     "toaster": Noun(

@@ -27,6 +27,8 @@ PROPS = {
             "bands": "+4a4d52 . metal",
             "lock": "-d8a83c . golden",
             "seams": "&41260f grain",
+            "keyhole": "-1c1208",
+            "rivets": "-9ea3a8 . metal",
         },
         Usual(0.8, WOOD, 0.3),
     ),
@@ -69,6 +71,7 @@ PROPS = {
             "frame": "&9c6f3e grain",
             "braces": "&9c6f3e grain",
             "seams": "&6e4c28 grain",
+            "nails": "-3f4246 . metal",
         },
         Usual(0.6, WOOD, 0.12),
     ),
@@ -153,7 +156,12 @@ PROPS = {
     ),
     "cannon": Noun(
         "; howitzer, mortar, artillery, artillery gun",
-        {"barrel": "*3a3c40 . metal", "carriage": "+7a4a24 grain", "wheels": "-5a3a20 grain"},
+        {
+            "barrel": "*3a3c40 . metal",
+            "carriage": "+7a4a24 grain",
+            "wheels": "-5a3a20 grain",
+            "bands": "-c79a3e . golden",
+        },
         Usual(2.2, STEEL, 0.5),
     ),
     "bomb": Noun(

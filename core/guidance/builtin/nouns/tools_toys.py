@@ -116,6 +116,7 @@ TOOLS_AND_TOYS = {
             "lid": "&a8221c . paint",
             "handle": "+2c2d30",
             "latches": "-c3c7cc . metal",
+            "letters": "+f4f1e6 . paint",
         },
         Usual(0.45, STEEL, 0.036),
     ),

@@ -81,6 +81,7 @@ TRAVEL_CLOTHES = {
             "handle": "&4a2a17 . leather",
             "latches": "-e0b84a . golden",
             "corners": "+4a2a17 . leather",
+            "stitches": "-d9a55c . fabric",
         },
         Usual(0.45, LEATHER, 0.15),
     ),
