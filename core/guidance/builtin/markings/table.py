@@ -9,6 +9,7 @@ from core.guidance.builtin.markings import (
     bodywork,
     coats,
     craft,
+    decor,
     facades,
     figures,
     flags,
@@ -1021,5 +1022,57 @@ MARKINGS |= {
     },
     "remote control": {
         "seams": Marking("body", partial(bodywork.laid, **craft.REMOTE_SEAMS)),
+    },
+    # Furniture, ware, arms, food.
+    "table": {"seams": Marking("top", partial(decor.laid, **decor.TABLE_SEAMS), "wooden")},
+    "desk": {
+        "border": Marking("blotter", partial(decor.laid, **decor.BLOTTER_EDGE)),
+        "blotter": Marking("top", partial(decor.laid, **decor.BLOTTER)),
+    },
+    "dresser": {"panels": Marking("drawers", decor.each_drawer)},
+    "nightstand": {"panels": Marking("drawers", decor.each_drawer)},
+    "bench": {
+        "bolts": Marking("seat", partial(decor.laid, **decor.BENCH_BOLTS)),
+        "seams": Marking("seat", partial(decor.laid, **decor.BENCH_SEAMS), "wooden"),
+    },
+    "office chair": {"seams": Marking("back", partial(decor.laid, **decor.BACK_SEAMS))},
+    "pillow": {"border": Marking("body", partial(decor.laid, **decor.PILLOW_BORDER))},
+    "window": {
+        "slats": Marking("shutters", partial(decor.laid, **decor.SLATS), paired=True),
+    },
+    "mug": {"bands": Marking("body", partial(fronts.belts, spans=decor.MUG_BANDS))},
+    "bowl": {"bands": Marking("body", partial(fronts.belts, spans=decor.BOWL_BANDS))},
+    "teapot": {
+        "bands": Marking("body", partial(fronts.belts, spans=decor.TEAPOT_BANDS)),
+    },
+    "sword": {
+        "fuller": Marking("blade", partial(decor.laid, **decor.FULLER)),
+        "wraps": Marking("grip", partial(fronts.belts, spans=decor.GRIP_WRAPS)),
+    },
+    "shield": {"quarters": Marking("plate", partial(decor.laid, **decor.QUARTERS))},
+    "helmet": {"breaths": Marking("shell", partial(decor.laid, **decor.BREATHS))},
+    "tombstone": {"letters": Marking("slab", decor.epitaph)},
+    "umbrella": {"panels": Marking("canopy", partial(balls.sectors, count=8))},
+    "tent": {"trim": Marking("canvas", decor.gable)},
+    "bell": {"bands": Marking("body", partial(fronts.belts, spans=decor.BELL_BANDS))},
+    "crown": {"borders": Marking("band", partial(fronts.belts, spans=decor.CROWN_BANDS))},
+    "coin": {"beads": Marking("face", partial(decor.beads, radius=0.72, size=0.035, count=28))},
+    "log": {"furrows": Marking("bark", decor.bark_lines)},
+    "bread": {"scores": Marking("crust", partial(decor.laid, **decor.LOAF_SCORES))},
+    "flower": {
+        "streaks": Marking("petals", partial(decor.rays, span=(0.3, 0.74), count=24, wide=0.03))
+    },
+    "chess rook": {"joints": Marking("body", decor.bricks)},
+    "axe": {
+        "edge": Marking("head", decor.cutting_edge),
+        "wraps": Marking("handle", partial(fronts.belts, spans=decor.HANDLE_WRAPS)),
+    },
+    "curtain": {"hems": Marking("curtain", partial(fronts.belts, spans=decor.HEMS))},
+    "gaming chair": {"badge": Marking("seat", partial(decor.laid, **decor.CHAIR_BADGE))},
+    "arrow": {"bands": Marking("shaft", partial(fronts.belts, spans=decor.ARROW_BANDS))},
+    "counter": {"panels": Marking("body", partial(decor.laid, **decor.COUNTER_PANELS))},
+    "envelope": {
+        "stamp": Marking("body", partial(decor.laid, **decor.STAMP)),
+        "address": Marking("body", partial(decor.laid, **decor.ADDRESS)),
     },
 }

@@ -67,6 +67,7 @@ CLOTHES = {
             "visor": "-17191d . glass",
             "crest": "+b8231f",
             "rim": "&6e747b . metal",
+            "breaths": "-2a2d31",
         },
         Usual(0.33, PLASTIC, 0.087),
     ),

@@ -5,7 +5,7 @@ from core.guidance.builtin.nouns.noun import FABRIC, PLASTIC, STEEL, STONE, WOOD
 FURNITURE = {
     "table": Noun(
         "dining table, dinner table; kitchen table, altar, farmhouse table",
-        {"top": "*8f5c30 grain", "legs": "&754a26 grain"},
+        {"top": "*8f5c30 grain", "legs": "&754a26 grain", "seams": "&5e3a1c grain"},
         Usual(1.4, WOOD, 0.24),
     ),
     "chair": Noun(
@@ -52,7 +52,13 @@ FURNITURE = {
     ),
     "bench": Noun(
         "park bench; pew, church pew",
-        {"seat": "*8f5c30 grain", "legs": "+3a3d40", "back": "*8f5c30 grain"},
+        {
+            "seat": "*8f5c30 grain",
+            "legs": "+3a3d40",
+            "back": "*8f5c30 grain",
+            "bolts": "-3a3d40 . metal",
+            "seams": "&5a371a grain",
+        },
         Usual(1.5, WOOD, 0.33),
     ),
     "bed": Noun(
@@ -99,6 +105,8 @@ FURNITURE = {
             "body": "*8f5c30 grain",
             "drawers": "&a9733f grain",
             "handles": "+d0b060 . golden",
+            "blotter": "-2c5a48 . leather",
+            "border": "-d0b060 . golden",
         },
         Usual(1.4, WOOD, 0.2),
     ),
@@ -110,6 +118,7 @@ FURNITURE = {
             "base": "+8a9096 . metal",
             "wheels": "-1c1c1e . rubber",
             "arms": "-26282b",
+            "seams": "&6d8096 . fabric",
         },
         Usual(1.1, PLASTIC, 0.15),
     ),
@@ -154,6 +163,7 @@ FURNITURE = {
             "handles": "+d0b060 . golden",
             "legs": "&5c3a1e grain",
             "top": "*7f4f28 grain",
+            "panels": "&6e4620 grain",
         },
         Usual(1.1, WOOD, 0.25),
     ),
@@ -165,6 +175,7 @@ FURNITURE = {
             "handles": "+d8d4c8 . metal",
             "legs": "&5f3d20 grain",
             "top": "*835530 grain",
+            "panels": "&744a24 grain",
         },
         Usual(0.6, WOOD, 0.25),
     ),
@@ -276,7 +287,12 @@ FURNITURE = {
     ),
     "pillow": Noun(
         "cushion, throw pillow; sofa cushion",
-        {"body": "*c9545e . fabric", "button": "+e8c24a . fabric", "tassels": "+e8c24a . fabric"},
+        {
+            "body": "*c9545e . fabric",
+            "button": "+e8c24a . fabric",
+            "tassels": "+e8c24a . fabric",
+            "border": "+e8c24a . fabric",
+        },
         Usual(0.5, FABRIC, 0.19),
     ),
 }

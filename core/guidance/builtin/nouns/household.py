@@ -18,7 +18,7 @@ from core.guidance.builtin.nouns.noun import (
 HOUSEHOLD = {
     "mug": Noun(
         "cup, coffee cup, coffee mug; beer mug, stein, tankard, beer, pint of beer, glass of beer",
-        {"body": "*e0dbd1", "handle": "&e0dbd1"},
+        {"body": "*e0dbd1", "handle": "&e0dbd1", "bands": "&5f87ab"},
         Usual(0.1, CERAMIC, 0.98),
     ),
     "vase": Noun(
@@ -43,12 +43,18 @@ HOUSEHOLD = {
     ),
     "teapot": Noun(
         "tea pot; tea set",
-        {"body": "*3c7fb0", "spout": "*3c7fb0", "handle": "&3c7fb0", "lid": "&e8e4da"},
+        {
+            "body": "*3c7fb0",
+            "spout": "*3c7fb0",
+            "handle": "&3c7fb0",
+            "lid": "&e8e4da",
+            "bands": "+f4efe4",
+        },
         Usual(0.25, CERAMIC, 0.2),
     ),
     "bowl": Noun(
         "; fishbowl, fish bowl, goldfish bowl, ashtray, salad bowl, mixing bowl, fruit bowl",
-        {"body": "*d8d2c4", "foot": "&b9a98c"},
+        {"body": "*d8d2c4", "foot": "&b9a98c", "bands": "&4f7ea6"},
         Usual(0.16, CERAMIC, 0.5),
     ),
     "pan": Noun(
@@ -75,7 +81,12 @@ HOUSEHOLD = {
     ),
     "crown": Noun(
         "; tiara, coronet, diadem, flower crown",
-        {"band": "*ffc757 . golden", "pearls": "+f4efe6", "gems": "-c21d2b"},
+        {
+            "band": "*ffc757 . golden",
+            "pearls": "+f4efe6",
+            "gems": "-c21d2b",
+            "borders": "&c48a24 . golden",
+        },
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
@@ -86,7 +97,12 @@ HOUSEHOLD = {
     ),
     "bell": Noun(
         "church bell; handbell, cowbell",
-        {"body": "*e0ab48 . golden", "loop": "&b98530 . golden", "clapper": "-5a5a5e . metal"},
+        {
+            "body": "*e0ab48 . golden",
+            "loop": "&b98530 . golden",
+            "clapper": "-5a5a5e . metal",
+            "bands": "&8f5a14 . golden",
+        },
         Usual(0.4, COPPER, 0.4),
     ),
     "bust": Noun(
@@ -130,7 +146,13 @@ HOUSEHOLD = {
     ),
     "window": Noun(
         "house window; sash window, window frame, skylight",
-        {"frame": "*ece8de", "glass": "-9cc4dd . glass", "sill": "&d8d2c4", "shutters": "+3f7a52"},
+        {
+            "frame": "*ece8de",
+            "glass": "-9cc4dd . glass",
+            "sill": "&d8d2c4",
+            "shutters": "+3f7a52",
+            "slats": "&2a5639",
+        },
         Usual(1.2, WOOD, 0.3),
     ),
     "refrigerator": Noun(

@@ -157,6 +157,7 @@ WORKSHOP_FURNITURE = {
             "arms": "-4a4d55 . plastic",
             "base": "-5c6068 . metal",
             "wheels": "-26262c . rubber",
+            "badge": "+e0342c . leather",
         },
         Usual(1.3, PLASTIC, 0.1),
     ),

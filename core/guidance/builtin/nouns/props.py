@@ -40,6 +40,8 @@ PROPS = {
             "guard": "+c79a3e . golden",
             "grip": _GRIP,
             "pommel": "+c79a3e . golden",
+            "fuller": "&7d848d . metal",
+            "wraps": "-c79a3e . golden",
         },
         Usual(1.1, STEEL, 0.045),
     ),
@@ -55,7 +57,12 @@ PROPS = {
     ),
     "shield": Noun(
         "knight shield; buckler",
-        {"plate": "*b02a24", "rim": "+9aa0a6 . metal", "emblem": "+e0b84a . golden"},
+        {
+            "plate": "*b02a24",
+            "rim": "+9aa0a6 . metal",
+            "emblem": "+e0b84a . golden",
+            "quarters": "&7c1a16 . paint",
+        },
         Usual(0.9, WOOD, 0.19),
     ),
     "barrel": Noun(
@@ -98,7 +105,12 @@ PROPS = {
     ),
     "coin": Noun(
         "pirate coin; token",
-        {"face": "*f0c24a . golden", "rim": "&d8a83c . golden", "emblem": "&d8a83c . golden"},
+        {
+            "face": "*f0c24a . golden",
+            "rim": "&d8a83c . golden",
+            "emblem": "&d8a83c . golden",
+            "beads": "&c58f26 . golden",
+        },
         Usual(0.03, GOLD, 0.52),
     ),
     "skull": Noun(
@@ -106,7 +118,12 @@ PROPS = {
     ),
     "tombstone": Noun(
         "gravestone, headstone, grave stone; grave, grave marker",
-        {"slab": "*8f9290 . stone", "base": "&7a7d7b . stone", "cross": "&a5a8a6 . stone"},
+        {
+            "slab": "*8f9290 . stone",
+            "base": "&7a7d7b . stone",
+            "cross": "&a5a8a6 . stone",
+            "letters": "-43474a . stone",
+        },
         Usual(1.0, STONE, 0.48),
     ),
     "gem": Noun(
@@ -186,7 +203,12 @@ PROPS = {
     ),
     "tent": Noun(
         "camping tent; marquee, teepee, tipi, big top, wigwam, yurt",
-        {"canvas": "*d87f2a . fabric", "door": "-5a3a20", "poles": "+6e7276 . metal"},
+        {
+            "canvas": "*d87f2a . fabric",
+            "door": "-5a3a20",
+            "poles": "+6e7276 . metal",
+            "trim": "+f3e3c0 . fabric",
+        },
         Usual(2.2, FABRIC, 0.013),
     ),
     "campfire": Noun(
@@ -249,7 +271,12 @@ PROPS = {
     ),
     "umbrella": Noun(
         "; parasol, sunshade",
-        {"canopy": "*3056b8 . fabric", "stick": "-8a8f94 . metal", "handle": "+5a3a20"},
+        {
+            "canopy": "*3056b8 . fabric",
+            "stick": "-8a8f94 . metal",
+            "handle": "+5a3a20",
+            "panels": "&5f83e0 . fabric",
+        },
         Usual(1.0, STEEL, 0.00085),
     ),
     "pawn": Noun(
@@ -259,7 +286,12 @@ PROPS = {
     ),
     "arrow": Noun(
         "; crossbow bolt, dart, arrowhead",
-        {"head": "*8f979e . metal", "shaft": "&b98a52 grain", "feathers": "+e8e4da"},
+        {
+            "head": "*8f979e . metal",
+            "shaft": "&b98a52 grain",
+            "feathers": "+e8e4da",
+            "bands": "+b8322a . paint",
+        },
         Usual(0.75, WOOD, 0.058),
     ),
     "flag": Noun(

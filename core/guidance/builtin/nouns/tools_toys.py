@@ -10,7 +10,12 @@ TOOLS_AND_TOYS = {
     ),
     "axe": Noun(
         "ax; hatchet, battleaxe, tomahawk",
-        {"head": "*9aa1a8 . metal", "handle": "+a26c38 grain"},
+        {
+            "head": "*9aa1a8 . metal",
+            "handle": "+a26c38 grain",
+            "edge": "-e6eaee . metal",
+            "wraps": "-4a2c1a . leather",
+        },
         Usual(0.8, 1500.0, 0.17),
     ),
     "anvil": Noun(
@@ -253,6 +258,7 @@ TOOLS_AND_TOYS = {
             "top": "*2f2823 . paint",
             "base": "&2f2823 . paint",
             "ring": "+8a6a3c . paint",
+            "joints": "&6b5a4c . paint",
         },
         Usual(0.053, WOOD),
     ),
