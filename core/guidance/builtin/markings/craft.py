@@ -6,7 +6,8 @@ from typing import Any
 
 import torch
 
-from core.guidance.builtin.markings.bodywork import (
+from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.outlines import (
     Cells,
     Disc,
     Emblem,
@@ -17,7 +18,6 @@ from core.guidance.builtin.markings.bodywork import (
     Poly,
     laid,
 )
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
 
 
 def girt(points: Points, half: Half, about: Sequence[Outline], **sides: Any) -> Margin:
@@ -194,7 +194,6 @@ TILL_BORDER = {
               Poly(((-0.5, -0.14), (0.08, 0.6), (0.7, 0.6), (0.7, -0.14)), gap=True)),
     "back": (Plate((0, 0.2), (0.7, 0.5), 0.1, 0.014),),
 }  # fmt: skip
-DRAWER_PANEL = {"front": (Plate((0, 0), (0.9, 0.66), 0.2, 0.013),), "deep": 0.2}
 CASE_PANELS = {
     side: (Plate((0, 0.46), (0.7, 0.3), 0.3, 0.014),) for side in ("front", "back", "sides")
 }

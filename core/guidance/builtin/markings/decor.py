@@ -7,16 +7,8 @@ import math
 
 import torch
 
-from core.guidance.builtin.markings.bodywork import (
-    Cells,
-    Disc,
-    Emblem,
-    Line,
-    Plate,
-    Poly,
-    laid,
-)
 from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, strokes
+from core.guidance.builtin.markings.outlines import Cells, Disc, Emblem, Line, Plate, Poly, laid
 
 ARCH = 0.86  # of a tombstone's half width, how far from the middle its border is
 

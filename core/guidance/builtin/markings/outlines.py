@@ -1,0 +1,181 @@
+"""Markings given as lists of outlines on a thing's sides: rectangles, discs, lines, cells, emblems.
+
+All places are in halves of the side, so that they go with any proportions; one that is a gap is
+left out of what stands before it.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Points,
+    all_of,
+    any_of,
+    strokes,
+    within,
+)
+from core.guidance.builtin.markings.shapes import shape_margin
+from core.guidance.builtin.markings.stencils import lettering
+
+At = Float[Tensor, "p 2"]
+Sides = Float[Tensor, " 2"]
+Pair = tuple[float, float]
+
+
+class Plate(NamedTuple):
+    """A rectangle, or its outline."""
+
+    at: Pair  # its middle
+    size: Pair  # its half sides
+    soft: float = 0.0  # the radius of its corners, of its shorter half side
+    line: float = 0.0  # half the outline's width, training units; 0: all of it
+    twice: bool = False  # at the left and at the right
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        size = half.new_tensor(self.size) * half
+        round_ = self.soft * size.min()
+        away = _from(at, self.at, half, self.twice).abs() - size + round_
+        inside = round_ - away.clamp_min(0).norm(dim=1) - away.amax(1).clamp_max(0)
+        return self.line - inside.abs() if self.line else inside
+
+
+class Disc(NamedTuple):
+    """A disc, or its outline; its radius in halves of the side's shorter way."""
+
+    at: Pair
+    radius: float
+    line: float = 0.0
+    twice: bool = False
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        away = self.radius * half.min() - _from(at, self.at, half, self.twice).norm(dim=1)
+        return self.line - away.abs() if self.line else away
+
+
+class Line(NamedTuple):
+    """From place to place, half its width in training units."""
+
+    places: tuple[Pair, ...]
+    wide: float = 0.012
+    twice: bool = False
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        at = _from(at, (0.0, 0.0), half, self.twice)
+        return strokes(at, half.new_tensor(self.places) * half, self.wide)
+
+
+class Cells(NamedTuple):
+    """Rectangles in rows and columns within one, each so large a share of its room."""
+
+    at: Pair
+    size: Pair
+    count: tuple[int, int]
+    share: Pair = (0.6, 0.6)
+    soft: float = 0.0
+    twice: bool = False
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        place = _from(at, self.at, half, self.twice)
+        count = half.new_tensor(self.count)
+        pitch = 2 * half.new_tensor(self.size) * half / count
+        cell = torch.minimum((place / pitch + count / 2).floor().clamp_min(0), count - 1)
+        middle = (cell + 0.5 - count / 2) * pitch
+        size = half.new_tensor(self.share) * pitch / 2
+        round_ = self.soft * size.min()
+        away = (place - middle).abs() - size + round_
+        return round_ - away.clamp_min(0).norm(dim=1) - away.amax(1).clamp_max(0)
+
+
+class Emblem(NamedTuple):
+    """A shape by name, or letters; half its height in halves of the side's shorter way."""
+
+    at: Pair
+    size: float
+    shape: str = ""
+    text: str = ""
+    twice: bool = False
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        size = self.size * half.min()
+        place = _from(at, self.at, half, self.twice) / size
+        if self.shape:
+            return shape_margin(place, self.shape) * size
+        return (lettering(place / 2, self.text) + 0.04) * 2 * size
+
+
+class Poly(NamedTuple):
+    """A polygon by its corners."""
+
+    corners: tuple[Pair, ...]
+    twice: bool = False
+    gap: bool = False
+
+    def margin(self, at: At, half: Sides) -> Margin:
+        """Of places on the side, which is so large."""
+        at = _from(at, (0.0, 0.0), half, self.twice)
+        return within(at, half.new_tensor(self.corners) * half)
+
+
+Outline = Plate | Disc | Line | Cells | Emblem | Poly
+
+
+def _from(at: At, middle: Pair, half: Sides, twice: bool) -> At:
+    """Places from a middle that is given in halves."""
+    if twice:
+        at = torch.stack([at[:, 0].abs(), at[:, 1]], 1)
+    return at - half.new_tensor(middle) * half
+
+
+def laid(
+    points: Points,
+    half: Half,
+    front: Sequence[Outline] = (),
+    back: Sequence[Outline] = (),
+    sides: Sequence[Outline] = (),
+    top: Sequence[Outline] = (),
+    deep: float = 0.55,
+    until: float = 9.0,
+    aside: float | None = None,
+) -> Margin:
+    """Outlines on a box's sides, as each is looked at but that on the left and the right side the
+    front is to the left; all are from ``deep`` to ``until`` halves from the middle,
+    those on the sides from ``aside``."""
+    x, y, z = points.unbind(1)
+    each = (
+        (front, (x, z), (0, 2), -y, half[1]),
+        (back, (-x, z), (0, 2), y, half[1]),
+        (sides, (y, z), (1, 2), x.abs(), half[0]),
+        (top, (x, y), (0, 1), z, half[2]),
+    )
+    margins = []
+    for outlines, place, axes, out, reach in each:
+        if outlines:
+            margin = _painted(torch.stack(place, 1), half[list(axes)], outlines)
+            low = aside if outlines is sides and aside is not None else deep
+            margins.append(all_of(margin, out - low * reach, until * reach - out))
+    return any_of(*margins)
+
+
+def _painted(at: At, half: Sides, outlines: Sequence[Outline]) -> Margin:
+    """One after the other."""
+    margin = torch.full_like(at[:, 0], -1.0)
+    for outline in outlines:
+        own = outline.margin(at, half)
+        margin = torch.minimum(margin, -own) if outline.gap else torch.maximum(margin, own)
+    return margin

@@ -1,0 +1,189 @@
+"""Buildings: windows, frames, doors, roofs."""
+
+from functools import partial
+
+from core.guidance.builtin.markings import (
+    boards,
+    facades,
+    fronts,
+    prints,
+)
+from core.guidance.builtin.markings.facades import Opening
+from core.guidance.builtin.markings.marking import Marking, Rows
+
+# Buildings.
+
+
+def _glazed(
+    openings: tuple[Opening, ...],
+    grid: tuple[int, int] = (2, 2),
+    on: str = "walls",
+    name: str = "windows",
+    frame: float = facades.FRAME,
+    sill: float = facades.SILL,
+) -> dict[str, Marking]:
+    """Windows in frames."""
+    return {
+        "frames": Marking(name, partial(facades.frames, openings=openings, grid=grid)),
+        name: Marking(on, partial(facades.windows, openings=openings, frame=frame, sill=sill)),
+    }
+
+
+def _openings(
+    face: str,
+    us: tuple[float, ...],
+    vs: tuple[float, ...],
+    size: tuple[float, float],
+    head: str = "",
+    depth: float = 0.7,
+) -> tuple[Opening, ...]:
+    """Rows of windows that are alike."""
+    return tuple(Opening(face, (u, v), size, head, depth) for v in vs for u in us)
+
+
+HOUSE_WINDOWS = (
+    *_openings("front", (-0.61, 0.61), (0.14,), (0.19, 0.38)),
+    *_openings("back", (-0.5, 0.5), (0.14,), (0.19, 0.38)),
+    *_openings("sides", (-0.42, 0.42), (0.14,), (0.22, 0.38)),
+)
+COTTAGE_FRONT = _openings("front", (-0.63, 0.63), (-0.44,), (0.17, 0.25))
+COTTAGE_WINDOWS = (
+    *COTTAGE_FRONT,
+    *_openings("front", (0.0,), (0.2,), (0.15, 0.17), "arched"),
+    *_openings("back", (-0.4, 0.4), (-0.44,), (0.17, 0.25)),
+    *_openings("back", (0.0,), (0.2,), (0.15, 0.17), "arched"),
+    *_openings("sides", (-0.42, 0.42), (-0.56,), (0.17, 0.2)),
+)
+CHURCH_WINDOWS = (
+    *_openings("front", (0.0,), (0.13,), (0.25, 0.25), "round"),
+    *_openings("sides", (-0.45, 0.12, 0.68), (-0.42,), (0.1, 0.27), "arched"),
+    *_openings("back", (0.0,), (-0.22,), (0.26, 0.45), "arched"),
+)
+TOWER_WINDOWS = tuple(
+    one
+    for face in ("front", "back", "sides")
+    for one in _openings(face, (0.0,), (0.28,), (0.12, 0.2), "arched", 0.5)
+)
+LIGHT_WINDOWS = tuple(
+    one
+    for face in ("front", "back", "sides")
+    for one in _openings(face, (0.0,), (0.0, 0.55), (0.16, 0.09), "arched", 0.3)
+)
+CASTLE_WINDOWS = tuple(
+    one
+    for face in ("front", "back", "sides")
+    for one in (
+        *_openings(face, (-0.71, 0.71), (-0.24,), (0.07, 0.14), "arched"),
+        *_openings(face, (0.0,), (0.52,), (0.08, 0.12), "arched", 0.2),
+    )
+)
+MILL_WINDOWS = (
+    *_openings("sides", (0.0,), (0.2,), (0.19, 0.15), "", 0.4),
+    *_openings("front", (0.0,), (0.2,), (0.19, 0.15), "", 0.4),
+    *_openings("back", (0.0,), (-0.35, 0.2), (0.19, 0.15), "", 0.4),
+)
+FACTORY_WINDOWS = (
+    *_openings("front", (-0.667, 0.0, 0.667), (0.16,), (0.23, 0.27)),
+    *_openings("sides", (-0.58, 0.1), (0.0,), (0.25, 0.27)),
+)
+FACTORY_GATES = (
+    Opening("front", (0.0, -0.68), (0.22, 0.36)),
+    Opening("front", (0.667, -0.72), (0.11, 0.32)),
+)
+SHOP_WINDOWS = (
+    *_openings("front", (0.0,), (-0.43,), (0.86, 0.33)),
+    *_openings("sides", (0.0,), (-0.4,), (0.62, 0.26)),
+    *_openings("sides", (-0.4, 0.4), (0.42,), (0.2, 0.2)),
+    *_openings("back", (-0.45, 0.45), (0.42, -0.4), (0.2, 0.2)),
+)
+SCHOOL_WINDOWS = (
+    *_openings("front", (-0.81, -0.51, 0.51, 0.81), (-0.54, -0.06), (0.1, 0.15), "", 0.5),
+    *_openings("back", (-0.81, -0.51, -0.17, 0.17, 0.51, 0.81), (-0.54, -0.06), (0.1, 0.15)),
+    *_openings("sides", (-0.45, 0.1, 0.62), (-0.54, -0.06), (0.15, 0.15)),
+)
+HOSPITAL_WINDOWS = (
+    *_openings("front", (-0.77, 0.77), (-0.62, -0.24), (0.13, 0.12), "", 0.5),
+    *_openings("front", (-0.36, 0.0, 0.36), (-0.05,), (0.11, 0.1)),
+    *_openings("front", (-0.38, 0.38), (-0.62,), (0.1, 0.13)),
+    *_openings("back", (-0.77, 0.77), (-0.62, -0.24), (0.13, 0.12), "", 0.5),
+    *_openings("back", (-0.33, 0.0, 0.33), (-0.62, -0.24), (0.11, 0.12)),
+    *_openings("sides", (-0.28, 0.38), (-0.62, -0.24), (0.22, 0.12)),
+    *_openings("sides", (-0.44, 0.44), (0.34, 0.7), (0.27, 0.11), "", 0.3),
+)
+TREE_WINDOWS = (
+    *_openings("front", (0.44,), (0.1,), (0.26, 0.42)),
+    *_openings("sides", (0.0,), (0.1,), (0.36, 0.42)),
+    *_openings("back", (-0.45,), (0.1,), (0.26, 0.42)),
+)
+MODERN_DOOR = _openings("front", (0.0,), (-0.22,), (0.115, 0.78))
+WHOLE_FRONT = _openings("front", (0.0,), (0.0,), (1.0, 1.0), "", 0.0)
+BUILDINGS: Rows = {
+    "house": {
+        "panels": Marking("door", facades.panels),
+        **_glazed(HOUSE_WINDOWS),
+        "seams": Marking("roof", facades.tiles),
+    },
+    "cottage": {
+        "panels": Marking("door", facades.panels),
+        **_glazed(COTTAGE_WINDOWS),
+        "shutters": Marking("walls", partial(facades.shutters, openings=COTTAGE_FRONT, wide=0.5)),
+    },
+    "church": {
+        "panels": Marking("door", partial(facades.panels, rows=((-0.84, 0.84),))),
+        "cross": Marking("walls", partial(prints.stamp, shape="cross", size=0.24, at=(0.0, 0.62))),
+        **_glazed(CHURCH_WINDOWS),
+        "seams": Marking("roof", partial(facades.tiles, axis=1)),
+    },
+    "tower": {
+        "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),
+        **_glazed(TOWER_WINDOWS, (1, 1), frame=0.035),
+    },
+    "lighthouse": {
+        "bars": Marking("lantern", partial(boards.staves, count=8, wide=0.016)),
+        **_glazed(LIGHT_WINDOWS, (1, 2), "tower"),
+    },
+    "castle": {
+        "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),
+        **_glazed(CASTLE_WINDOWS, (1, 1)),
+    },
+    "windmill": {
+        "windows": Marking("walls", partial(facades.panes, openings=MILL_WINDOWS)),
+        "lattice": Marking("sails", facades.lattice),
+    },
+    "factory": {
+        "slats": Marking("gate", partial(boards.planks, count=9, wide=0.01)),
+        "gate": Marking("hall", partial(facades.windows, openings=FACTORY_GATES, sill=0.0)),
+        **_glazed(FACTORY_WINDOWS, (4, 2), "hall"),
+    },
+    "shop": {
+        "letters": Marking("sign", partial(fronts.lettered, text="OPEN", high=0.3)),
+        "frames": Marking("window", partial(facades.frames, openings=SHOP_WINDOWS)),
+        "window": Marking("walls", partial(facades.windows, openings=SHOP_WINDOWS)),
+    },
+    "school": _glazed(SCHOOL_WINDOWS, (1, 2), frame=0.016, sill=0.014),
+    "hospital": _glazed(HOSPITAL_WINDOWS, (2, 1), frame=0.018, sill=0.014),
+    "treehouse": _glazed(TREE_WINDOWS),
+    "barn": {
+        "trim": Marking("walls", facades.barn_trim),
+        "door": Marking("walls", facades.barn_door),
+        "hay": Marking("walls", partial(facades.panes, openings=(facades.LOFT,), grid=(1, 1))),
+        "windows": Marking("walls", partial(facades.panes, openings=facades.BARN_WINDOWS)),
+        "seams": Marking("walls", boards.boarding, "wooden"),
+    },
+    "log cabin": {"mullions": Marking("window", partial(facades.frames, openings=WHOLE_FRONT))},
+    "skyscraper": {
+        "mullions": Marking("windows", partial(boards.boarding, pitch=0.11, wide=0.014))
+    },
+    "modern house": {
+        "mullions": Marking("windows", partial(boards.boarding, pitch=0.28, wide=0.014)),
+        "slats": Marking("garage", partial(boards.planks, count=5, wide=0.012)),
+        "door": Marking("walls", partial(facades.panes, openings=MODERN_DOOR, grid=(1, 1))),
+    },
+    "gas station": {
+        "letters": Marking("band", partial(fronts.lettered, text="GAS", high=0.085, bold=0.06))
+    },
+    "bus stop": {
+        "letters": Marking("sign", partial(fronts.lettered, text="BUS", high=0.5, bold=0.06))
+    },
+    "fireplace": {"mortar": Marking("body", facades.courses)},
+}
