@@ -26,8 +26,9 @@ from core.guidance.builtin.markings.markings import (
     has_markings,
     is_marking,
 )
+from core.guidance.builtin.markings.rows.everyday import STICKERS
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
-from core.guidance.builtin.markings.table import MARKINGS, STICKERS
+from core.guidance.builtin.markings.table import MARKINGS
 from core.guidance.builtin.nouns import NOUNS, solid_of
 from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import looks, painted

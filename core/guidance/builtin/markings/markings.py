@@ -11,7 +11,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings.table import MARKINGS, Marking
+from core.guidance.builtin.markings.marking import Marking
+from core.guidance.builtin.markings.table import MARKINGS
 
 
 class Marked:
