@@ -165,7 +165,7 @@ def test_words_put_in_the_place_of_fewer_keep_what_follows():
             "house",
             {"part_materials": {"walls": "brick", "roof": "slate"}},
         ),
-        ("monster truck with green flames", "monster truck", {}),
+        ("monster truck with green flames", "monster truck", {"part_colours": {"flames": "green"}}),
     ],
 )
 def test_a_part_is_named_as_people_do(prompt, thing, said):

@@ -363,7 +363,7 @@ def test_a_stained_glass_window_has_that_pane_and_a_frame_of_its_own() -> None:
     kinds = {
         part.name: part.material for part in painted("window", parse("a stained glass window"))
     }
-    assert kinds == {"frame": "", "glass": "glass", "sill": "", "shutters": ""}
+    assert {part for part, kind in kinds.items() if kind} == {"glass"}
 
 
 def test_gold_that_is_a_colour_of_fur_weighs_nothing() -> None:

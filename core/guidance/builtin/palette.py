@@ -41,6 +41,7 @@ COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
 GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
 STRIPES = "stripes"  # a part that some things have by nature
+SHADE = "~"  # the role of such a marking, in ``nouns``
 DARKER = 0.6  # sRGB: a shade of what it lies on
 SWATCHES = 8  # channels of ``swatches``
 # Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
@@ -136,16 +137,16 @@ def _look(noun: str, part: str, text: str) -> Look:
     if finish.metallic > 0.5:
         rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]
     red, green, blue = rgb
-    on = _shaded(noun, part)
-    role = NOUNS[noun].looks[on][0] if on else text[0]
+    # A seam in the colour of the planks would not be seen.
+    on = MARKINGS[noun][part].on if text[0] == SHADE else ""
+    role = _role(noun, on) if on else text[0]
     return Look(role, (red, green, blue), pattern.strip("."), finish, kind, on)
 
 
-def _shaded(noun: str, part: str) -> str:
-    """What a marking is a shade of: a seam in the colour of the planks would not be seen. ""
-    of what is none."""
-    marking = MARKINGS.get(noun, {}).get(part)
-    return marking.on if marking and NOUNS[noun].looks[part][0] == "&" else ""
+def _role(noun: str, part: str) -> str:
+    """A part's role; of a marking in a shade that of what it lies on."""
+    role = NOUNS[noun].looks[part][0]
+    return _role(noun, MARKINGS[noun][part].on) if role == SHADE else role
 
 
 def darker(color: Color) -> Color:
@@ -226,7 +227,9 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
     # "A white cake with pink icing": where that is so, its colour is what lies below's.
     below = [name for name in WHOLE if covered and name in looks(noun) and name not in said]
     for name, look in looks(noun).items():
-        accent = own.get(name) or own.get(look.shaded, Accent(name))
+        accent = own.get(name, Accent(name))
+        if name not in own and look.shaded in own:
+            accent = own[look.shaded]._replace(pattern="")
         if lines and name == STRIPES and not accent.color:
             accent = accent._replace(color=lines.color, color_form=lines.form)
         if lines and name == lines.on:

@@ -6,6 +6,7 @@ appearance network is given, in one step and without noise.
 """
 
 from collections.abc import Callable
+from functools import cache
 
 import torch
 from jaxtyping import Bool, Float, Int
@@ -13,6 +14,7 @@ from torch import Tensor
 
 from core.guidance.builtin.network import UNet
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.part_forms import part_forms_table
 
 PARTS = 8  # of one noun, at most
 
@@ -62,7 +64,13 @@ def part_logits(
 
 
 def has_parts(nouns: Int[Tensor, " b"]) -> Bool[Tensor, "b 8 1 1"]:
-    """Which parts each of the nouns has, by its row; 0 is none and has none."""
-    counts = torch.tensor([0, *(len(noun.looks) for noun in NOUNS.values())])
-    has = torch.arange(PARTS)[None] < counts[:, None]
-    return has.to(nouns.device)[nouns][:, :, None, None]
+    """Which parts each of the nouns has that are solids, by its row; 0 is none and has none. The
+    network has seen no others."""
+    return _solids().to(nouns.device)[nouns][:, :, None, None]
+
+
+@cache
+def _solids() -> Bool[Tensor, "n 8"]:
+    table = part_forms_table()
+    rows = ([least > 0 for least in table[noun].least] for noun in NOUNS)
+    return torch.tensor([[False] * PARTS, *rows])

@@ -17,7 +17,7 @@ ANIMALS = {
             "eyes": "-111114",
             "whites": "-f4f2ec",
             "lips": "-d8601a",
-            "scales": "&d0641a",
+            "scales": "~d0641a",
         },
         Usual(0.3, FLESH, 0.31),
     ),

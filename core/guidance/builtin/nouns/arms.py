@@ -178,7 +178,7 @@ ARMS = {
     ),
     "feather": Noun(
         "feathers, bird feather; quill, quill pen, plume, eagle feather",
-        {"vane": "*eceae2", "tip": "+4a3a30", "shaft": "-d8c49c", "barbs": "&c9c6b8"},
+        {"vane": "*eceae2", "tip": "+4a3a30", "shaft": "-d8c49c", "barbs": "~c9c6b8"},
         Usual(0.25, PLANT, 0.02),
     ),
     "sack": Noun(
@@ -221,7 +221,7 @@ ARMS = {
     "hay bale": Noun(
         "hay bales, haybale, haybales, bale of hay, straw bale, bale of straw, hay; haystack, "
         "hay stack, bale",
-        {"straw": "*d8b04a thatch", "twine": "-8a4a2e", "stalks": "&e6c468", "lines": "&b08c36"},
+        {"straw": "*d8b04a thatch", "twine": "-8a4a2e", "stalks": "&e6c468", "lines": "~b08c36"},
         Usual(1.0, PLANT, 0.08),
     ),
     "beehive": Noun(

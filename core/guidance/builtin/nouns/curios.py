@@ -15,7 +15,7 @@ CURIO_VEHICLES = {
             "chassis": "+8fd62a . paint",
             "lamps": "-fbf0b8",
             "flames": "+f6b21c . paint",
-            "doors": "&471590 . paint",
+            "doors": "~471590 . paint",
         },
         Usual(5.5, STEEL, 0.02),
     ),

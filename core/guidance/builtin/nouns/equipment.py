@@ -210,7 +210,7 @@ EQUIPMENT_CLOTHES = {
             "cuffs": "&4f2b19 . leather",
             "pockets": "&6b3a22 . leather",
             "zip": "-d3b25a . golden",
-            "seams": "&5f361f . leather",
+            "seams": "~5f361f . leather",
         },
         Usual(0.75, FABRIC, 0.06),
     ),

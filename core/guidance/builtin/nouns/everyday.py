@@ -37,7 +37,7 @@ EVERYDAY_FOOD = {
             "stripes": "*d0221f",
             "popcorn": "-fbf0cc",
             "butter": "-f4c63c",
-            "badge": "&b51a18",
+            "badge": "~b51a18",
         },
         Usual(0.22, PAPER, 0.05),
     ),

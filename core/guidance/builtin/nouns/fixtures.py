@@ -124,7 +124,7 @@ FIXTURES = {
             "button": "&3f464f . rubber",
             "keys": "-d9dde1 . rubber",
             "bars": "+5b9bd0 . rubber",
-            "seams": "&4c525a . plastic",
+            "seams": "~4c525a . plastic",
         },
         Usual(0.2, PLASTIC, 0.35),
     ),

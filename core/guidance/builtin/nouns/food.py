@@ -27,7 +27,7 @@ FOOD = {
     ),
     "bread": Noun(
         "loaf, loaf of bread, bread loaf; toast, baguette, sourdough, bun, bread roll, brioche",
-        {"crust": "*b8742e", "crumb": "+f1dcae", "scores": "&e9bb78"},
+        {"crust": "*b8742e", "crumb": "+f1dcae", "scores": "~e9bb78"},
         Usual(0.28, 300.0, 0.39),
     ),
     "croissant": Noun(

@@ -19,7 +19,7 @@ GAMES = {
         {
             "discs": "*d42a28 . plastic",
             "faces": "+f6f2e4 . plastic",
-            "stars": "&2a62b8 . plastic",
+            "stars": "~2a62b8 . plastic",
             "axle": "-b4bac0 . metal",
             "string": "-efe9da . fabric",
         },

@@ -33,8 +33,8 @@ class Noun(NamedTuple):
     the pictures' part index. A part's text is its role, its sRGB colour, and what may follow: a
     pattern ("." is none) and a finish, both by name in ``palette``. Roles: ``*`` is what a colour
     word is about; ``+`` is an accent and keeps its colour until a second one is stated; ``&`` is an
-    accent that goes with the first colour until then (a marking on a part of that colour is a shade
-    of it); ``-`` keeps its nature. Material words are
+    accent that goes with the first colour until then; ``~`` is a marking in a shade of what it lies
+    on; ``-`` keeps its nature. Material words are
     about all but the last.
     """
 

@@ -210,7 +210,7 @@ PASTIME_FEASTS = {
         "tree decoration, holiday ornament, glass ornament",
         {
             "ball": "*c41d2c . glass",
-            "band": "&8e1220 . glass",
+            "band": "~8e1220 . glass",
             "edges": "+e9bd4c . golden",
             "stars": "+f6d36b . golden",
             "dots": "-f7f3ea . paint",

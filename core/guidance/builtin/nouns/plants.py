@@ -22,7 +22,7 @@ PLANTS = {
         "daisy; potted flower, blossom, wildflower, daffodil, poppy, orchid, "
         "geranium, hydrangea, marigold, petunia, dahlia, chrysanthemum, "
         "primrose, pansy, begonia, magnolia, hibiscus, buttercup, gerbera",
-        {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36", "streaks": "&e6a6bd"},
+        {"petals": "*f2f0e6", "heart": "+f2b81d", "stalk": "-3e8a36", "streaks": "~e6a6bd"},
         Usual(0.4, PLANT, 0.036),
     ),
     "palm": Noun(
@@ -69,7 +69,7 @@ PLANTS = {
     ),
     "log": Noun(
         "tree log, tree trunk; firewood, wooden branch, lumber",
-        {"bark": "*6a4a2e", "wood": "+d9b27a", "furrows": "&432c1a"},
+        {"bark": "*6a4a2e", "wood": "+d9b27a", "furrows": "~432c1a"},
         Usual(1.2, WOOD),
     ),
     "boulder": Noun(

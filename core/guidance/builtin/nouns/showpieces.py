@@ -39,7 +39,7 @@ SHOWPIECE_PROPS = {
             "bands": "+4a4d52 . metal",
             "lock": "-d8a83c . golden",
             "coins": "-f0bd3a coins golden",
-            "seams": "&41260f grain",
+            "seams": "~41260f grain",
             "keyhole": "-1c1208",
         },
         Usual(0.9, WOOD, 0.5),

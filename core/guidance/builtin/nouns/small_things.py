@@ -67,7 +67,7 @@ SMALL_THINGS = {
         {
             "border": "+1f2f5c",
             "field": "*a8242c",
-            "lozenge": "&e0b45a",
+            "lozenge": "~e0b45a",
             "middle": "-1f2f5c",
             "fringes": "-efe6d0",
         },
@@ -91,7 +91,7 @@ SMALL_THINGS = {
         {
             "body": "*6b3f20 grain",
             "top": "+d8d2c6 . stone",
-            "panels": "&8f5a30 grain",
+            "panels": "~8f5a30 grain",
             "base": "-33221a",
             "rail": "-d2a63e . golden",
         },

@@ -63,7 +63,7 @@ SPORT = {
         {
             "board": "*34b0c4 . paint",
             "stripe": "+f6f2e6 . paint",
-            "bands": "&f2702e . paint",
+            "bands": "~f2702e . paint",
             "fins": "-26303a",
         },
         Usual(2.1, PLASTIC, 0.011),

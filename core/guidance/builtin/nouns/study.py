@@ -29,7 +29,7 @@ STUDY_SMALL = {
         "compact cassette; vhs tape, vhs, video tape, videotape, vhs cassette, game cartridge",
         {
             "body": "*2b2d31",
-            "label": "&f1e6c8",
+            "label": "~f1e6c8",
             "window": "-3a3d42",
             "reels": "-f4f4f0",
             "stripe": "+e0562a",
@@ -42,7 +42,7 @@ STUDY_SMALL = {
         "cd rom, music disc",
         {
             "disc": "*1a1a1c",
-            "grooves": "&2c2c30",
+            "grooves": "~2c2c30",
             "label": "+d23a2a",
             "hole": "-d9d5cc",
         },
@@ -62,7 +62,7 @@ STUDY_SPACE = {
         "fantasy planet",
         {
             "globe": "*d9b27a",
-            "bands": "&b98a52",
+            "bands": "~b98a52",
             "rings": "+e6d3a6",
         },
         Usual(0.5, STONE, 0.3),

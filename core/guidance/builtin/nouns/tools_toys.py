@@ -111,7 +111,7 @@ TOOLS_AND_TOYS = {
     ),
     "broom": Noun(
         "broomstick, besom; sweeping brush, dustpan, squeegee",
-        {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain", "lines": "&9c7a34"},
+        {"bristles": "*d3a94e", "band": "+b5342c", "handle": "-8f5c30 grain", "lines": "~9c7a34"},
         Usual(1.4, 300.0, 0.12),
     ),
     "toolbox": Noun(
@@ -258,7 +258,7 @@ TOOLS_AND_TOYS = {
             "top": "*2f2823 . paint",
             "base": "&2f2823 . paint",
             "ring": "+8a6a3c . paint",
-            "joints": "&6b5a4c . paint",
+            "joints": "~6b5a4c . paint",
         },
         Usual(0.053, WOOD),
     ),

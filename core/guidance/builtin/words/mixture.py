@@ -227,7 +227,7 @@ def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
     The materials are of different classes, or the first of each counts.
     """
     found: dict[str, Entry] = {}
-    for part, look in NOUNS[noun].looks.items():
+    for part, look in _looks(noun).items():
         best = max(materials, key=lambda one: suits(noun, part, class_of(one)))
         least = (BY_NATURE if materials[0].word else WELL) if look[0] == "*" else 1
         if best is not materials[0] and suits(noun, part, class_of(best)) >= least:
@@ -238,7 +238,7 @@ def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
 def parts_beside_color(noun: str, material: Entry) -> list[str]:
     """The noun's parts that are of the material where a colour is said next to it, and of the rest:
     what it suits well, without the main parts where nothing would be left of these."""
-    name, looks = class_of(material), NOUNS[noun].looks
+    name, looks = class_of(material), _looks(noun)
     by_nature = name != WOOD  # of which much is
     parts = [
         part
@@ -259,7 +259,7 @@ def is_of_it(noun: str, material: Entry) -> bool:
 def parts_of_color(noun: str, material: Entry) -> list[str]:
     """The noun's parts that a colour is of behind a material that the noun is of by nature: "a
     silver and black sword"."""
-    name, looks = class_of(material), NOUNS[noun].looks
+    name, looks = class_of(material), _looks(noun)
     if gems := [part for part in GEM_PARTS if looks.get(part, "*")[0] != "*"]:
         return gems
     accents, rest = (
@@ -273,13 +273,18 @@ def lesser_parts(noun: str, material: Entry) -> list[str]:
     """The noun's parts for a second material that suits none better than the first, "a gold and
     silver shield": those that it suits well; else those that are of such a one by nature, or go
     with the main ones."""
-    name, looks = class_of(material), NOUNS[noun].looks
+    name, looks = class_of(material), _looks(noun)
     others = [part for part, look in looks.items() if look[0] != "*"]
     return [part for part in others if suits(noun, part, name) >= WELL] or [
         part
         for part in others
         if looks[part][0] == "&" or (looks[part][0] == "+" and _is_by_nature(noun, part, name))
     ]
+
+
+def _looks(noun: str) -> dict[str, str]:
+    """The noun's parts, but for what is of the same as what it lies on."""
+    return {part: look for part, look in NOUNS[noun].looks.items() if look[0] != "~"}
 
 
 def suits(noun: str, part: str, name: str) -> int:
@@ -289,7 +294,7 @@ def suits(noun: str, part: str, name: str) -> int:
 
 def _lesser(noun: str, roles: str) -> list[str]:
     """The noun's parts of these roles, but for those that one looks through."""
-    some = [part for part, look in NOUNS[noun].looks.items() if look[0] in roles]
+    some = [part for part, look in _looks(noun).items() if look[0] in roles]
     return [part for part in some if not _is_by_nature(noun, part, GLASS)]
 
 
