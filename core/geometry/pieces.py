@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 import torch
@@ -147,7 +147,8 @@ def _labelled(piece: Piece) -> Int[np.ndarray, "n m k"]:
     large = np.flatnonzero(nodes >= ALSO * nodes.max(initial=0)) + 1
     if len(large) > 1:
         labels[~np.isin(labels, large)] = 0
-        away, nearest = ndimage.distance_transform_edt(labels == 0, cell, return_indices=True)
+        found = ndimage.distance_transform_edt(labels == 0, cell, return_indices=True)
+        away, nearest = cast(tuple, found)
         if away[inside].max() <= SHORT * piece.error:  # or it is a thin sheet, and no bridge
             grown = np.where(inside, labels[tuple(nearest)], 0)
             return np.unique(grown, return_inverse=True)[1].reshape(values.shape).astype(np.int32)
