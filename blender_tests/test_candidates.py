@@ -90,7 +90,7 @@ def test_the_chosen_one_is_finished_in_its_place_and_the_others_go(ready, wait):
     assert all(live_preview.find(entry.folder.name) for entry in others)
     assert ("fantasia3d.discard_candidates", "Discard Others") in drawn()
     assert bpy.ops.fantasia3d.discard_candidates() == {"FINISHED"}
-    wait(until=lambda: len(session.history) == 1)
+    wait(until=lambda: len(session.history) == 1 and not drawn())
     assert chosen.folder.is_dir()
     assert not any(entry.folder.exists() for entry in others)
     assert list(bpy.data.objects) == [finished]

@@ -19,7 +19,7 @@ from core.guidance.builtin.palette import looks
 
 LIMBS = ("arms", "legs", "limbs", "claws")
 # What no cloth covers: it goes through.
-BARE = frozenset(NO_HEAD).difference(LIMBS) | {"bow tie", "spikes", "plates", "shell"}
+BARE = frozenset(NO_HEAD).difference(LIMBS) | {"bow tie", "spikes", "plates", "shell", "joints"}
 FEET = "feet", "shoes", "boots", "hooves", "legs"
 CRAWLING = frozenset("snake snail caterpillar seal walrus stingray".split())
 CELLS = 88  # of the lattice on which the distances of what is dressed are known
