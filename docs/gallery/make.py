@@ -18,11 +18,11 @@ BATCH = ROOT / "out" / "gallery"
 SIDE = 192  # pixels, of one picture in a strip
 RENDERED = 400  # pixels, of a Cycles render: as large as the project's own picture shows it
 FIRST = (
-    "a corgi wearing a green scarf",
-    "a penguin in a tuxedo",
+    "a red house with a grey roof",
+    "a blue robot with yellow eyes and red limbs",
     "an astronaut riding a horse",
-    "a frog dressed as a king",
-    "a mimic",
+    "a white car with red wheels",
+    "a corgi wearing a green scarf",
 )
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
