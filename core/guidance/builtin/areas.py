@@ -134,21 +134,18 @@ class SolidAreas:
         return moved
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, " n"]]:
-        """The area whose exact surface each point is on; or the smaller one whose surface lies
-        along that, under it by no more than what is drawn is off: a pane in a wall, but not an eye
-        that stands out of a head. And by how much more than of any other."""
+        """The area whose exact surface each point is on; or the smaller one that was drawn there
+        and whose surface lies along that, under it by no more than what is drawn is off: a pane in
+        a wall, but not an eye that stands out of a head. And by how much more than of any other."""
         exact = self.near(points)[1]
         first, second = exact.topk(2, 1)
         owner, margin = second[:, 0].clone(), first[:, 0] - first[:, 1]
         beside = margin < FLUSH  # where another may be meant
         place, mine = points[beside], owner[beside]
-        drawn = self.field(place)[1]
-        other = drawn.argmax(1)
-        other = torch.where(other == mine, second[beside, 1], other)
+        other = self.field(place)[1].argmax(1)
         under = first[beside, 0] - exact[beside].gather(1, other[:, None])[:, 0]
-        off = drawn.amax(1) - drawn.gather(1, other[:, None])[:, 0]
         smaller = self.sizes[other] < self.sizes[mine]  # a wheel's rim is not the body's
-        flush = (under < FLUSH) & (off < FLUSH) & smaller
+        flush = (under < FLUSH) & smaller
         flush[flush.clone()] = self._along(place[flush], mine[flush], other[flush])
         owner[beside] = torch.where(flush, other, mine)
         return owner, margin
