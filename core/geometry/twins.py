@@ -13,7 +13,6 @@ from torch import Tensor
 
 from core.geometry.pieces import Distances, Mesh, Piece, points_of
 
-AREA = 0.05  # fraction by which two that are alike may differ, as their lattices do
 BOX = 1.5  # cells
 OFF = 0.3  # errors: how far one's mirrored points are from the other's surface, in the mean
 

@@ -326,6 +326,15 @@ def test_what_bears_what_is_drawn_stays():
     assert not plain.left_out()
 
 
+def test_what_is_denied_takes_its_markings_with_it():
+    house = shipped_prior().prompted("a house without a door", "").of_object(0)
+    areas, names = house.areas(), list(looks("house"))
+    assert areas is not None and len(areas.sizes) == len(names)
+    seen = {name for name, size in zip(names, areas.sizes.tolist(), strict=True) if size}
+    assert seen >= {"walls", "windows", "frames"} and not seen & {"door", "panels"}
+    assert not house.left_out()
+
+
 @pytest.mark.parametrize(
     ("prompt", "there"), [("a kettlebell", True), ("a kettlebell that says GO", False)]
 )

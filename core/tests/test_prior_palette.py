@@ -14,6 +14,7 @@ from core.guidance.builtin.palette import (
     SWATCHES,
     Painted,
     companion,
+    darker,
     looks,
     painted,
     swatches,
@@ -595,3 +596,16 @@ def test_what_is_of_glass_stays_of_glass():
     words = parse("a golden staff")
     of = {part.name: part.material for part in painted(words.noun, words)}
     assert of == {"shaft": "golden", "crystal": "", "fork": "golden"}
+
+
+def test_a_marking_in_a_shade_goes_with_what_it_lies_on():
+    def house(prompt):
+        return {part.name: part for part in painted("house", parse(prompt))}
+
+    plain, red = house("a house"), house("a house with a red door")
+    assert red["panels"].color == darker(red["door"].color) != plain["panels"].color
+    assert red["seams"].color == plain["seams"].color, "those are the roof's"
+    yellow = house("a house with a red door and yellow panels")["panels"]
+    assert yellow.color == house("a house with a yellow roof")["roof"].color
+    striped = house("a house with a striped door")
+    assert (striped["door"].pattern, striped["panels"].pattern) == ("striped", "")

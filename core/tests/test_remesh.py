@@ -79,6 +79,21 @@ def test_a_ball_is_of_equilateral_triangles() -> None:
     assert (verts.norm(dim=1) - sphere(5)[0].norm(dim=1).mean()).abs().max() < 2e-3
 
 
+def test_of_many_faces_what_is_round_has_more():
+    """A robot's antenna was a polygon, and its flat sides and sharp edges had the faces."""
+    slab, ball = box((2.0, 2.0, 0.3)), sphere(5)
+    round_part = 0.25 * ball[0] + torch.tensor([0.0, 0.0, 1.0])
+    verts = torch.cat([slab.verts, round_part])
+    faces = torch.cat([slab.faces, ball[1] + len(slab.verts)])
+    verts, faces = even(Mesh(verts, faces), 12_000)
+    corners = verts[faces]
+    sides = torch.linalg.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    of_ball = corners[:, 0, 2] > 0.5
+    area = sides.norm(dim=1)
+    share = area[of_ball].sum() / area.sum()
+    assert of_ball.float().mean() > 2.5 * share
+
+
 @pytest.mark.parametrize("budget", [2000, 400])
 def test_the_edges_of_a_box_stay_sharp(budget: int) -> None:
     """All twelve, in their whole length and in their places; the corners too."""
