@@ -80,3 +80,10 @@ def test_the_fine_surface_has_them_where_asked_and_is_else_as_it_was():
     torch.testing.assert_close(sharp, UP.expand(2, 3), atol=1e-6, rtol=0)
     assert soft[0, 0] > 0.6
     torch.testing.assert_close(soft[1], UP, atol=1e-6, rtol=0)
+
+
+def test_what_is_on_neither_side_of_an_edge_near_it_stays(cube):
+    """A board's slanting underside, that another one's edge is below."""
+    near = torch.tensor([[0.5 - 0.3 * RADIUS, 0.0, 0.5 + 0.2 * RADIUS]])
+    under = normalize(-(UP + SIDE)[None])
+    assert torch.equal(cube.normals(near, under), under)
