@@ -416,3 +416,27 @@ def test_a_mark_at_the_top_is_about_the_upper_balls_middle():
     marks = partial(balls.cap, wide=0.2)  # about the front
     at, below = torch.tensor([[0.0, -0.3, 0.2]]), torch.tensor([[0.0, -0.3, 0.0]])
     assert balls.at_top(at, half, marks) > 0 > balls.at_top(below, half, marks)
+
+
+def test_a_paired_marking_is_on_both_sides_and_one_by_another_part_has_its_place():
+    def laid(noun, part, on, boxes, points):
+        names = list(looks(noun))
+        each = [boxes.get(name) for name in names]
+        distances = torch.ones(len(points), len(names))
+        distances[:, names.index(on)] = 0  # all of the places are on it
+        return Marked(noun, names, each)(distances, points)[:, names.index(part)] <= 0
+
+    arm = torch.tensor([[0.6, -0.4, -0.3], [0.9, 0.4, 0.3]])
+    x, z = torch.linspace(0.6, 0.9, 60), torch.linspace(-0.3, 0.3, 120)
+    front = torch.cartesian_prod(x, torch.tensor([-0.4]), z)
+    there = front * torch.tensor([-1.0, 1.0, 1.0])
+    sides = [laid("sofa", "piping", "arms", {"arms": arm}, at) for at in (front, there)]
+    assert sides[0].any() and torch.equal(*sides)
+
+    body = torch.tensor([[-0.5, -0.3, -1.0], [0.5, 0.3, 1.0]])
+    cone = torch.tensor([[-0.3, -0.35, -0.7], [0.3, -0.25, -0.1]])
+    disc = torch.cartesian_prod(torch.linspace(-0.5, 0.5, 60), torch.tensor([-0.3]), z.mul(3))
+    one, other = (
+        laid("speaker", "caps", "cones", {"body": box, "cones": cone}, disc) for box in (body, cone)
+    )
+    assert one.any() and not torch.equal(one, other), "by the body's box, not by a cone's"
