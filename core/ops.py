@@ -51,6 +51,19 @@ def normalize(x: Float[Tensor, "*b c"], eps: float = 1e-12) -> Float[Tensor, "*b
     return x * torch.rsqrt(dot(x, x).clamp(min=eps))
 
 
+def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:
+    """Two unit vectors across each normal and across each other.
+
+    T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
+    """
+    x, y, z = normal.unbind(1)
+    sign = torch.where(z < 0, -1.0, 1.0)
+    a = -1 / (sign + z)
+    b = x * y * a
+    one = torch.stack([1 + sign * x * x * a, sign * b, -sign * x], 1)
+    return one, torch.stack([b, sign + y * y * a, -y], 1)
+
+
 def linear_to_srgb(x: Float[Tensor, "*b"]) -> Float[Tensor, "*b"]:
     """IEC 61966-2-1 transfer function, for values in [0, 1]; above 1 it goes on, below 0 linear."""
     curved = 1.055 * x.clamp(min=0.0031308) ** (1 / 2.4) - 0.055

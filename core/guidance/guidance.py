@@ -159,6 +159,17 @@ class Areas(Protocol):
         border is near."""
         ...
 
+    def slope(
+        self,
+        points: Float[Tensor, "n 3"],
+        normals: Float[Tensor, "n 3"],
+        area: Int[Tensor, " n"],
+        step: float,
+    ) -> Float[Tensor, "n 3"]:
+        """The gradient along the surface of how far it stands out of the shape at places of the
+        areas, as a frame does around a pane; over ``step``, training units."""
+        ...
+
     def nearest(self) -> Int[Tensor, "k k k"]:
         """The area of each node of a lattice over the training's cube, by x, y and z."""
         ...

@@ -193,7 +193,7 @@ def bake_maps(
             _hundredths("bake", progress),
             config.texture.samples,
             # Without either the maps are Γ's own, to the last bit.
-            Finish(mesh, fine, detail) if fine or detail else None,
+            Finish(mesh, fine, detail, areas) if fine or detail else None,
             areas,
         )
 

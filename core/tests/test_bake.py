@@ -110,7 +110,7 @@ def test_where_no_border_is_near_a_texel_is_asked_for_once_and_else_at_each_poin
         def inside(self, points, _area):
             raise NotImplementedError
 
-        nearest = inside
+        nearest = slope = inside
 
     def checks(points: Tensor, which: Tensor | None = None) -> Material:
         assert which is None or torch.equal(which, Halves().of(points))

@@ -329,7 +329,7 @@ def test_where_the_areas_are_known_the_colours_do_not_decide():
         def inside(self, points, area):
             raise NotImplementedError
 
-        nearest = inside
+        nearest = slope = inside
 
     mesh, material = ring(), one_material(BROWN)
     surfaces = (Surface("glass", (0.58, 0.41, 0.28)),)
@@ -364,7 +364,7 @@ class Halves:
     def inside(self, points, area):
         raise NotImplementedError
 
-    nearest = inside
+    nearest = slope = inside
 
 
 def lit_ring(low: Surface, high: Surface, strength: float = 1.0, known: bool = True):

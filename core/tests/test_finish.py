@@ -2,6 +2,7 @@
 
 import math
 
+import pytest
 import torch
 from torch import Tensor
 
@@ -9,11 +10,12 @@ from core.appearance.shade import perturb
 from core.appearance.shaded import UvMesh
 from core.geometry.mesh import Mesh
 from core.geometry.tangents import smooth_normals
+from core.guidance.builtin.areas import SolidAreas
 from core.ops import dot, normalize
-from core.tests.texture_shapes import one_material, torus, torus_uv
+from core.tests.texture_shapes import area, one_material, torus, torus_uv
 from core.texture.bake import bake
 from core.texture.fine_surface import FineSurface, turned
-from core.texture.finish import Finish, in_tangent_space
+from core.texture.finish import Finish, detail_of, in_tangent_space
 from core.texture.texels import footprint
 
 PLAIN = one_material((0.5, 0.5, 0.5))
@@ -68,6 +70,27 @@ def test_a_flat_sheets_normal_map_is_the_slope_of_the_fine_one():
     inner = slice(4, -4)
     want = normalize(want)[inner].expand(120, 120, 3)
     torch.testing.assert_close(maps.normal[inner, inner], want, atol=0.01, rtol=0)
+
+
+@pytest.mark.parametrize("strength", [1.0, 0.5])
+def test_a_flat_sheets_normal_map_is_the_slope_of_what_stands_out_of_it(strength):
+    """As of the fine sheet, where everywhere is near a border."""
+    flat, high = UvMesh.of(sheet(4, 0.0)), 0.01
+    field = lambda points: (points[:, 2], torch.zeros(len(points), 2))  # noqa: E731
+    wave = lambda points, _: high * torch.sin(4 * math.pi * points[:, 0])  # noqa: E731
+    areas = SolidAreas(field, (area(), area()), heights=wave, cells=20)
+    options = {"strength": strength, "size": 128, "seed": 0}
+    detail = detail_of(flat, PLAIN, (areas.each[0].surface,), areas, **options)
+    level, wavy = (
+        bake(flat.mesh, PLAIN, 128, finish=Finish(flat, None, detail, known), areas=areas).normal
+        for known in (None, areas)
+    )
+    x = (torch.arange(128) + 0.5) / 128
+    slope = strength * 4 * math.pi * high * torch.cos(4 * math.pi * x)
+    inner = slice(4, -4)  # the substance has a relief of its own, which stays
+    more = (level[..., :2] / level[..., 2:] - wavy[..., :2] / wavy[..., 2:])[inner, inner]
+    torch.testing.assert_close(more[..., 0], slope[inner].expand(120, 120), atol=0.01, rtol=0)
+    assert more[..., 1].abs().max() < 0.01
 
 
 def test_a_coarse_torus_gets_the_fine_ones_normals():

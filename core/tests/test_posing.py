@@ -295,6 +295,21 @@ def test_a_bent_leg_is_painted_as_it_is_in_the_rest_pose():
     assert float((before == after).float().mean()) > 0.97
 
 
+def test_what_stands_out_of_a_bent_leg_is_as_high_as_in_the_rest_pose():
+    posed, _, _ = placed("a man sitting on a bench")
+    rest = posed.rest.area_fields()
+    assert rest is not None
+    high = rest._replace(heights=lambda points, area: points[:, 2] + area)
+    verts = Body.of(posed.words, posed.solid).verts
+    inner = torch.stack([bone.gap(verts) for bone in posed.pose.bones], 1).abs().amin(1) > 0.05
+    verts = verts[inner]
+    there = posed.pose.out(verts)
+    assert (there - verts).norm(dim=1).max() > 0.2  # some of it moves
+    found = posed.pose.heights(high)(there, torch.ones(len(verts)).long())
+    right = (found - verts[:, 2] - 1).abs() < 1e-4
+    assert float(right.float().mean()) > 0.97
+
+
 def test_a_picture_of_a_bent_leg_is_seen_in_the_rest_pose():
     posed, _, _ = placed("a man sitting on a bench")
     parts = posed.rest.parts()

@@ -20,20 +20,25 @@ from core.texture.fine_surface import FineSurface, turned
 from core.texture.texels import footprint
 
 CHUNK = 1 << 17  # texels at once
+STEP = 0.5  # texels, over which the slope of what stands out is measured
 SURVEYED = 1 << 14  # points of the surface, for the parts' colours and their means
 LEAST_Z = 0.05  # of a normal in tangent space: none points into the surface
 
 
 class Finish:
-    """What a texel's material becomes, from the surface's attributes there."""
+    """What a texel's material becomes, from the surface's attributes there.
+
+    Some of the ``areas`` may stand out of the surface.
+    """
 
     def __init__(
         self,
         mesh: UvMesh,
         fine: FineSurface | None = None,
         detail: Detail | None = None,
+        areas: Areas | None = None,
     ) -> None:
-        self.fine, self.detail = fine, detail
+        self.fine, self.detail, self.areas = fine, detail, areas
         self.lights = bool(detail and detail.lights)
         self.scale = 1 / float((mesh.verts.amax(0) - mesh.verts.amin(0)).max())
         # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
@@ -72,6 +77,10 @@ class Finish:
             shape, bumpy = fine, turned(bumpy, shape, fine)
         if self.detail:
             coat, slope = self.detail(Spots(point * self.scale, shape, length, edge, area), coat)
+            if self.areas and area is not None:
+                step = STEP * self.detail.noise.footprint / self.scale
+                lies = self.areas.slope(point, shape, area, step)
+                slope = slope + self.detail.strength * lies
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
         learnt, light = coat[:3], coat[3:] if self.lights else ()

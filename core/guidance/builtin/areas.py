@@ -17,6 +17,7 @@ from torch import Tensor
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.patterns import Margins
 from core.guidance.guidance import Area
+from core.ops import across
 
 CELLS = 80  # of the lattice on which the parts are known, along an edge
 INSET = 0.06  # training units: what a picture's blur covers
@@ -31,6 +32,9 @@ STEEPEST = 3.0  # a margin's slope, at most: it is the difference of two distanc
 Field = Callable[
     [Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]
 ]  # signed distance and how deep in each area, at points
+Heights = Callable[
+    [Float[Tensor, "n 3"], Int[Tensor, " n"]], Float[Tensor, " n"]
+]  # how far the surface stands out of the solid's, at points of areas; training units
 
 
 class AreaFields(NamedTuple):
@@ -39,6 +43,7 @@ class AreaFields(NamedTuple):
     drawn: Field
     near: Field  # the same, exact near the surface
     each: tuple[Area, ...]  # what the words and nature say of the areas
+    heights: Heights
 
 
 def depths(distances: Callable[[Tensor], Tensor], parts: int) -> Field:
@@ -74,11 +79,12 @@ class SolidAreas:
         field: Field,
         each: tuple[Area, ...],
         near: Field | None = None,
+        heights: Heights | None = None,
         cells: int = CELLS,
     ) -> None:
         """``each``: what the words and nature say of the areas. ``near``: what tells them apart
-        near the borders; None: ``field``."""
-        self.each, self.field, self.near = each, field, near or field
+        near the borders; None: ``field``. ``heights``: None: all is level."""
+        self.each, self.field, self.near, self.heights = each, field, near or field, heights
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
         nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -105,8 +111,7 @@ class SolidAreas:
         clear = torch.ones_like(area, dtype=torch.bool)
         if depths.shape[1] == 1:
             return area, clear
-        first, second = depths.topk(2, 1).values.T
-        near = first - second < max(UNCLEAR * self.spacing, 2 * reach)
+        near = _second(depths) < max(UNCLEAR * self.spacing, 2 * reach)
         if near.any():
             area[near], margin = self._owner(points[near])
             clear[near] = margin >= max(FLUSH, 2 * reach)  # a margin is of two distances
@@ -132,6 +137,24 @@ class SolidAreas:
             # Back to the distance from the surface that the point had.
             moved[here] = to - (self._at(to)[:, :1] - level[here, None]) * normal[go]
         return moved
+
+    def slope(
+        self,
+        points: Float[Tensor, "n 3"],
+        normals: Float[Tensor, "n 3"],
+        area: Int[Tensor, " n"],
+        step: float,
+    ) -> Float[Tensor, "n 3"]:
+        """See :class:`Areas`. What goes up or down is near a border."""
+        found, depths = torch.zeros_like(points), self._at(points)[:, 1:]
+        if self.heights is None or depths.shape[1] == 1:
+            return found
+        here = (_second(depths) < UNCLEAR * self.spacing).nonzero().squeeze(1)
+        place, mine = points[here], area[here]
+        for way in across(normals[here]):
+            up, down = (self.heights(place + by * way, mine) for by in (step, -step))
+            found[here] += ((up - down) / (2 * step))[:, None] * way
+        return found
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, " n"]]:
         """The area whose exact surface each point is on; or the smaller one that was drawn there
@@ -189,3 +212,9 @@ class SolidAreas:
         at = (points / EXTENT)[None, None, None]
         found = F.grid_sample(self.values, at, align_corners=True, padding_mode="border")
         return found[0, :, 0, 0].T
+
+
+def _second(depths: Float[Tensor, "n a"]) -> Float[Tensor, " n"]:
+    """How much deeper each point is in its own area than in the next."""
+    first, second = depths.topk(2, 1).values.T
+    return first - second

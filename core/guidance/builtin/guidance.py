@@ -202,7 +202,7 @@ class PromptedBuiltin(PromptedGuidance):
     def areas(self) -> SolidAreas | None:
         """The drawn solid's parts, each in the colours of its pattern."""
         fields = self.area_fields()
-        return fields and SolidAreas(fields.drawn, fields.each, fields.near)
+        return fields and SolidAreas(fields.drawn, fields.each, fields.near, fields.heights)
 
     def area_fields(self) -> AreaFields | None:
         """Those areas in space, and what is meant by each."""

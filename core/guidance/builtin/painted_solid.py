@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 
+import torch
 from jaxtyping import Float
 from torch import Tensor
 
@@ -99,13 +100,14 @@ class PaintedSolid:
         """
         along = axes or (2,) * len(self.paints)
         laid = [Laid(part.pattern, axis) for part, axis in zip(self.paints, along, strict=True)]
-        each = []
-        for part, pattern in zip(self.paints, laid, strict=True):
+        each, shown_on = [], []  # the part that each area is of, or lies on
+        for index, (part, pattern) in enumerate(zip(self.paints, laid, strict=True)):
             # Where the colours of some patterns lie is learnt, such as of a tower's bricks.
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
             surface = surface_of(self.words, part)
             each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
+            shown_on += [index] * len(colors)
         margins = [pattern.margins() for pattern in laid]
         fields = [self.shown, lambda points: self.marked(self.parts.near(points), points)]
         for emblem in self.emblems:
@@ -114,8 +116,12 @@ class PaintedSolid:
             surface = surface_of(self.words, paint)
             each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
             margins.append(None)
+            shown_on.append(emblem.on)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
-        return AreaFields(drawn, near, tuple(each))
+        parts = torch.tensor(shown_on)
+        return AreaFields(
+            drawn, near, tuple(each), lambda at, of: self.marked.height(at, parts[of])
+        )
 
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that the thing has no room for, and on each part that stays."""

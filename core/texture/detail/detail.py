@@ -9,6 +9,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.guidance.guidance import Surface
+from core.ops import across
 from core.texture.detail.kinds import KINDS
 from core.texture.detail.noise import Noise, Values
 from core.texture.detail.parts import Parts
@@ -166,19 +167,6 @@ def renamed(surfaces: tuple[Surface, ...]) -> bool:
         surface.factor != (1.0, 1.0, 1.0) or surface.roughness or surface.metallic
         for surface in surfaces
     )
-
-
-def across(normal: Float[Tensor, "n 3"]) -> tuple[Tensor, Tensor]:
-    """Two unit vectors across each normal and across each other.
-
-    T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
-    """
-    x, y, z = normal.unbind(1)
-    sign = torch.where(z < 0, -1.0, 1.0)
-    a = -1 / (sign + z)
-    b = x * y * a
-    one = torch.stack([1 + sign * x * x * a, sign * b, -sign * x], 1)
-    return one, torch.stack([b, sign + y * y * a, -y], 1)
 
 
 def _column(values: Values) -> Float[Tensor, "n 1"]:

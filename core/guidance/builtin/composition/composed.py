@@ -20,7 +20,7 @@ from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.pieces import Piece
 from core.geometry.tet_grid import EXTENT
-from core.guidance.builtin.areas import AreaFields, Field, SolidAreas
+from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged
 from core.guidance.builtin.composition.clothing import dressed
 from core.guidance.builtin.composition.placement import Body, Placement
@@ -124,7 +124,8 @@ class Composed(PromptedGuidance):
         known = [_known(thing.area_fields()) for thing in self.made.things]
         drawn = composed_field([one.drawn for one in known], self.made.places)
         near = composed_field([one.near for one in known], self.made.places)
-        return SolidAreas(drawn, tuple(area for one in known for area in one.each), near)
+        each = tuple(area for one in known for area in one.each)
+        return SolidAreas(drawn, each, near, composed_heights(known, self.made.places))
 
     def ranges(self) -> MaterialRanges:
         """Of all parts of all things."""
@@ -299,5 +300,27 @@ def composed_field(fields: Sequence[Field], placements: Sequence[Sequence[Placem
             distances.append(each[..., 0].amin(0))
             depths.append(-each[..., 1:].amin(0))
         return torch.stack(distances, 1).amin(1), torch.cat(depths, 1)
+
+    return at
+
+
+def composed_heights(
+    things: Sequence[AreaFields], placements: Sequence[Sequence[Placement]]
+) -> Heights:
+    """How far the surface stands out of all things, from those of each."""
+
+    def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
+        found, start = torch.zeros_like(points[:, 0]), 0
+        for thing, places in zip(things, placements, strict=True):
+            own = area - start
+            start += len(thing.each)
+            mine = ((own >= 0) & (own < len(thing.each))).nonzero().squeeze(1)
+            field = in_one(thing.near)
+            away = [at_place(field, place, points[mine])[:, 0] for place in places]
+            copy = torch.stack(away, 1).argmin(1)
+            for index, place in enumerate(places):
+                here = mine[copy == index]
+                found[here] = place.scale * thing.heights(place.into(points[here]), own[here])
+        return found
 
     return at

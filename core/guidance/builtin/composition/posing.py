@@ -19,7 +19,7 @@ from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.pieces import Piece
 from core.geometry.union import Region, clipped
-from core.guidance.builtin.areas import AreaFields, Field, SolidAreas
+from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.solid import Solid
@@ -105,6 +105,20 @@ class Pose:
         def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
             found = posed(points)
             return found[:, 0], -found[:, 1:]
+
+        return at
+
+    def heights(self, rest: AreaFields) -> Heights:
+        """How far the surface of the areas stands out in the pose, from those in the rest pose."""
+        known = in_one(rest.near)
+
+        def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
+            found, bone = torch.zeros_like(points[:, 0]), self.bone_at(known, points)
+            for index, one in enumerate(self.bones):
+                here = (bone == index).nonzero().squeeze(1)
+                own = rest.heights(one.place.into(points[here]), area[here])
+                found[here] = own * one.place.scale
+            return found
 
         return at
 
@@ -200,12 +214,13 @@ class Posed:
         rest = self.rest.area_fields()
         if rest is None:
             return None
-        return AreaFields(self.pose.field(rest.drawn), self.pose.field(rest.near), rest.each)
+        drawn, near = (self.pose.field(field) for field in (rest.drawn, rest.near))
+        return AreaFields(drawn, near, rest.each, self.pose.heights(rest))
 
     def areas(self) -> SolidAreas | None:
         """The same on a lattice."""
         fields = self.area_fields()
-        return fields and SolidAreas(fields.drawn, fields.each, fields.near)
+        return fields and SolidAreas(fields.drawn, fields.each, fields.near, fields.heights)
 
     def ranges(self) -> MaterialRanges:
         """As in the rest pose."""

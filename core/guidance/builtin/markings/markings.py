@@ -6,13 +6,36 @@ it is as sharp as the texture; and it is a part by name, with a colour and a mat
 """
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
+from core.guidance.builtin.markings.heights import FLAT, Height, height_of
+from core.guidance.builtin.markings.margins import Margin
 from core.guidance.builtin.markings.marking import Marking
 from core.guidance.builtin.markings.table import MARKINGS
+
+
+class Laid(NamedTuple):
+    """A marking on one object."""
+
+    part: int
+    on: int
+    bearer: int  # the part with a solid below it
+    marking: Marking
+    box: Float[Tensor, "2 3"]
+    height: Height
+
+    def margin(self, points: Float[Tensor, "n 3"]) -> Margin:
+        """How far inside it each point is."""
+        low, high = self.box.to(points)
+        middle = (low + high) / 2
+        if self.marking.paired:
+            middle = torch.cat([middle[:1].abs(), middle[1:]])
+            points = torch.cat([points[:, :1].abs(), points[:, 1:]], 1)
+        return self.marking.marks(points - middle, (high - low) / 2)
 
 
 class Marked:
@@ -27,30 +50,50 @@ class Marked:
             names: of the noun's parts; "" of those that the object is without.
             boxes: of each the lowest and the highest corner; None of what has no solid.
         """
-        self.laid: list[tuple[int, int, Marking, Float[Tensor, "2 3"]]] = []
+        self.laid: list[Laid] = []
+        self.bearers = list(range(len(names)))  # of each part; its own where it has a solid
         for name, one in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
             bearer = bearer_of(noun, name)
             by = one.by or bearer
             if {name, one.on, bearer, by} <= set(names):
                 box = boxes[names.index(by)]
                 if box is not None:
-                    self.laid.append((names.index(name), names.index(one.on), one, box))
+                    part, on, below = (names.index(which) for which in (name, one.on, bearer))
+                    self.laid.append(Laid(part, on, below, one, box, height_of(noun, name)))
+                    self.bearers[part] = below
 
     def __call__(
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
     ) -> Float[Tensor, "n p"]:
         """The parts' distances with the markings among them."""
         found = distances.clone()
-        right = torch.cat([points[:, :1].abs(), points[:, 1:]], 1)
-        for part, on, one, box in self.laid:
-            low, high = box.to(points)
-            middle = (low + high) / 2
-            if one.paired:
-                middle = torch.cat([middle[:1].abs(), middle[1:]])
-            margin = one.marks((right if one.paired else points) - middle, (high - low) / 2)
-            lies = found[:, on].clone()
-            found[:, part] = torch.maximum(lies, -margin)
-            found[:, on] = torch.maximum(lies, margin)
+        for one in self.laid:
+            margin = one.margin(points)
+            lies = found[:, one.on].clone()
+            found[:, one.part] = torch.maximum(lies, -margin)
+            found[:, one.on] = torch.maximum(lies, margin)
+        return found
+
+    def height(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
+        """How far the surface stands out, training units, at points of the surfaces of parts."""
+        bearer = part.new_tensor(self.bearers)[part]
+        found = torch.zeros_like(points[:, 0])
+        for which in {one.bearer for one in self.laid if one.height != FLAT}:
+            here = (bearer == which).nonzero().squeeze(1)
+            if len(here):
+                found[here] = self._height_on(which, points[here])
+        return found
+
+    def _height_on(self, bearer: int, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """On one part with a solid: the sum of what lies there one on another."""
+        found = torch.zeros_like(points[:, 0])
+        room = {bearer: torch.full_like(found, torch.inf)}  # how far inside each a point is
+        for one in self.laid:
+            if one.bearer == bearer:
+                margin, below = one.margin(points), room[one.on]
+                room[one.part] = torch.minimum(below, margin)
+                room[one.on] = torch.minimum(below, -margin)
+                found = found + one.height.at(room[one.part])
         return found
 
 

@@ -1,0 +1,68 @@
+"""How far markings stand out of what bears them, or lie in it: a pane is sunk in its wall, a frame
+is raised, what is only printed lies flat."""
+
+from typing import NamedTuple
+
+from jaxtyping import Float
+from torch import Tensor
+
+from core.guidance.builtin.markings.margins import Margin
+
+
+class Height(NamedTuple):
+    """Of a marking, at its middle; at its border it is 0."""
+
+    high: float  # training units; negative: sunk
+    slope: float = 0.012  # width of what goes up or down inside the border, training units
+
+    def at(self, margin: Margin) -> Float[Tensor, " p"]:
+        """So far inside the border: an even curve without a kink at its ends."""
+        part = (margin / self.slope).clamp(0, 1)
+        return self.high * part.square() * (3 - 2 * part)
+
+
+FLAT = Height(0.0)
+RAISED, LOW = Height(0.01, 0.015), Height(0.006)
+OF_PANE = Height(0.018, 0.016)  # stands in a sunk pane, or around it
+SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
+BOWL = Height(-0.014, 0.05)
+
+BY_NAME = {
+    RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets lamps lattice"
+    " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets"
+    " rungs shutters slats spines tail_lamps trim wraps zips",
+    OF_PANE: "frames mullions",
+    LOW: "beads blotter buttons coils hems land number_plates panels pocket pockets stitches",
+    SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
+    " racks reels screen slots vents window windows",
+    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
+    " scales scores seam seams signs",
+    BOWL: "craters dimples pips",
+}
+BY_THING = {
+    "arrow": {"bands": RAISED},
+    "bell": {"bands": RAISED},
+    "book": {"lines": GROOVE},
+    "bookshelf": {"bands": LOW, "labels": LOW},
+    "broom": {"lines": GROOVE},
+    "camera": {"rings": GROOVE},
+    "cannon": {"bands": RAISED},
+    "church": {"cross": RAISED},
+    "hay bale": {"lines": GROOVE},
+    "lamp": {"bands": LOW},
+    "sarcophagus": {"bands": RAISED},
+    "satellite": {"lines": GROOVE},
+    "sneaker": {"lines": GROOVE},
+    "space station": {"lines": GROOVE},
+    "speaker": {"rings": LOW},
+    "tombstone": {"letters": GROOVE},
+    "train": {"bands": RAISED},
+    "trophy": {"star": RAISED},
+    "umbrella": {"panels": FLAT},
+}
+_NAMED = {name.replace("_", " "): height for height, of in BY_NAME.items() for name in of.split()}
+
+
+def height_of(noun: str, part: str) -> Height:
+    """Of a marking: what is named in neither table is as flat as paint."""
+    return BY_THING.get(noun, {}).get(part) or _NAMED.get(part, FLAT)
