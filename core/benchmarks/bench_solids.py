@@ -19,7 +19,7 @@ from core.benchmarks import machine, row, table_line
 from core.benchmarks.bench_prior import known_nouns
 from core.benchmarks.likeness import Points, Surface, likeness, objects
 from core.config import DRAFT
-from core.geometry.assembly import assembled
+from core.geometry.parts.assembly import assembled
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
 from core.guidance.builtin.offered import drawn_nouns
 from core.io.job import write_text

@@ -19,9 +19,9 @@ from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
 from core.camera import Cameras
-from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
+from core.geometry.parts.assembly import KnownParts
 
 NormalFrame = Literal["object", "camera"]
 

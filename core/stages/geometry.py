@@ -10,12 +10,13 @@ from torch import Tensor
 
 from core.config import GeometryConfig, PhaseConfig, RefineConfig
 from core.errors import NoSurfaceError
-from core.geometry.assembly import Forms, KnownParts, assembled
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import crisp
 from core.geometry.leash import Leash
 from core.geometry.mesh import Mesh, drop_floaters, polished
-from core.geometry.pieces import ERROR
+from core.geometry.parts.assembly import KnownParts, assembled
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.pieces import ERROR
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.revolved import revolved
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract

@@ -3,7 +3,7 @@
 import pytest
 import torch
 
-from core.geometry import pieces
+from core.geometry.parts import pieces
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.palette import FINISHES, looks

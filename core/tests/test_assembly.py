@@ -6,22 +6,16 @@ import numpy as np
 import pytest
 import torch
 
-from core.geometry import assembly
-from core.geometry import pieces as assembly_pieces
-from core.geometry.assembly import (
-    Forms,
-    KnownParts,
-    alike,
-    assembled,
-    fitted_together,
-    mirrored,
-    slack_of,
-)
 from core.geometry.faces import bending
-from core.geometry.fitting import Faces
 from core.geometry.lattice import Lattice
 from core.geometry.mesh import health
-from core.geometry.pieces import (
+from core.geometry.parts import assembly, matching
+from core.geometry.parts import pieces as assembly_pieces
+from core.geometry.parts.assembly import KnownParts, assembled
+from core.geometry.parts.fitting import Faces
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.matching import alike, around, fitted_together, mirrored, slack_of
+from core.geometry.parts.pieces import (
     Piece,
     Place,
     drawn_at,
@@ -30,7 +24,7 @@ from core.geometry.pieces import (
     repeats,
     turned_share,
 )
-from core.geometry.primitives import Primitive, packed, unpacked
+from core.geometry.parts.primitives import Primitive, packed, unpacked
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals
 from core.tests.meshes import torus
@@ -275,10 +269,10 @@ def test_a_block_that_was_not_drawn_so_is_told_anew(monkeypatch, refused, told):
     def fitted(points, error, faces):
         return upright(0.1, 0.1, 0.1)._replace(form="box" if faces.block else "capsule")
 
-    monkeypatch.setattr(assembly, "primitive_of", fitted)
-    monkeypatch.setattr(assembly, "is_drawn", lambda _, one, piece: one.form != refused)
+    monkeypatch.setattr(matching, "primitive_of", fitted)
+    monkeypatch.setattr(matching, "is_drawn", lambda _, one, piece: one.form != refused)
     piece = piece_of(upright(0.1, 0.1, 0.1))
-    one = assembly.one_drawn(table, piece, assembly_pieces.points_of(piece), Faces(block=True))
+    one = matching.one_drawn(table, piece, assembly_pieces.points_of(piece), Faces(block=True))
     assert one is not None and one.form == told
 
 
@@ -292,7 +286,7 @@ def test_three_pieces_may_be_worse_than_two():
     assert slack_of(2) == 1 < slack_of(3)
 
 
-@pytest.mark.parametrize("placed", [mirrored, assembly.around])
+@pytest.mark.parametrize("placed", [mirrored, around])
 def test_pieces_that_are_mirrored_or_turned_are_fitted_together(placed):
     """Legs that spread."""
     leg = upright(0.06, 0.09, 0.3, turn=(0.1, 0.4, 0.0))
@@ -486,7 +480,7 @@ def test_a_primitive_is_not_what_has_a_spike(high, stays):
     piece = drawn_at(distances, place)
     assert piece is not None
     board = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.8, 0.8, 0.15, 0.0]))
-    assert assembly.is_drawn(distances, board, piece) == stays
+    assert matching.is_drawn(distances, board, piece) == stays
 
 
 @pytest.mark.parametrize(("least", "pieces"), [((), 2), ((0.02,), 2), ((1.0,), 1), ((0.0,), 2)])

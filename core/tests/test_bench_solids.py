@@ -10,7 +10,7 @@ from core.benchmarks import bench_solids as bench
 from core.benchmarks.bench_solids import bench_solids, solid_scores, summary, variety
 from core.benchmarks.likeness import Surface, objects
 from core.errors import UserError
-from core.geometry.assembly import assembled
+from core.geometry.parts.assembly import assembled
 from core.guidance.builtin.guidance import PromptedBuiltin
 from core.prior.retrieval import reference_clouds
 from core.tests.drawn_things import shipped_prior

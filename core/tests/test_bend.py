@@ -16,12 +16,12 @@ from core.generate import (
     of_seed,
     prepare,
 )
-from core.geometry import pieces
 from core.geometry.bend import CONTROLS, Bend, basis, bend_to, bending, stiffness_of
 from core.geometry.guide import guide_leash, guide_shape
 from core.geometry.init_shape import ellipsoid, sample_surface
 from core.geometry.leash import reach_of
 from core.geometry.mesh import Mesh, health, normalise
+from core.geometry.parts import pieces
 from core.geometry.residual import lattice_nodes
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT

@@ -5,12 +5,13 @@ import pytest
 import torch
 from scipy.spatial import ConvexHull
 
-from core.geometry.assembly import Forms, KnownParts
-from core.geometry.blade import blade
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
-from core.geometry.pieces import drawn_at, places_of, points_of
-from core.geometry.primitives import Primitive
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.blade import blade
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.pieces import drawn_at, places_of, points_of
+from core.geometry.parts.primitives import Primitive
 from core.geometry.union import is_solid
 from core.prior.solids import box, lozenge_blade
 

@@ -9,8 +9,8 @@ import torch
 from core.camera import Cameras
 from core.config import DRAFT
 from core.generate import Inputs, of_seed
-from core.geometry.assembly import assembled
 from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
+from core.geometry.parts.assembly import assembled
 from core.guidance.builtin.composition.composed import Composed, composed_field
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import seen_from

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 import torch
 
-from core.geometry.assembly import Forms, KnownParts
-from core.geometry.crossed import crossed
-from core.geometry.layered import ends_share
 from core.geometry.mesh import health
-from core.geometry.primitives import along_axes, unpacked
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.crossed import crossed
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.layered import ends_share
+from core.geometry.parts.primitives import along_axes, unpacked
 from core.tests.test_layered import box, farthest, piece_of
 
 

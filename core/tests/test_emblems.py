@@ -9,7 +9,8 @@ import torch
 
 from core.config import DRAFT
 from core.generate import Inputs, generate
-from core.geometry.assembly import Forms, KnownParts
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import PromptedBuiltin

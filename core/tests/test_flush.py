@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from core.geometry.flush import ends_of, flush
-from core.geometry.primitives import Primitive
+from core.geometry.parts.flush import ends_of, flush
+from core.geometry.parts.primitives import Primitive
 
 STILL = np.zeros(3)
 

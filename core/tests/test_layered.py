@@ -6,10 +6,10 @@ import torch
 from scipy.spatial.transform import Rotation
 
 from core.geometry.lattice import Lattice
-from core.geometry.layered import drift, ends_share, layered, segments, wall
 from core.geometry.mesh import health
-from core.geometry.pieces import Piece, Place
-from core.geometry.primitives import Primitive, packed, unpacked
+from core.geometry.parts.layered import drift, ends_share, layered, segments, wall
+from core.geometry.parts.pieces import Piece, Place
+from core.geometry.parts.primitives import Primitive, packed, unpacked
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import tet_grid
 from core.tests.test_outline import rectangle
@@ -123,13 +123,13 @@ TOWER = ((-0.5, 0.6), (0.0, 0.3), (0.5, 0.6))  # heights, half widths
 
 def test_there_are_no_more_than_so_many_layers(monkeypatch):
     assert len(unpacked(found_in(tower, UP).lengths)) == 3
-    monkeypatch.setattr("core.geometry.layered.MOST", 2)
+    monkeypatch.setattr("core.geometry.parts.layered.MOST", 2)
     assert found_in(tower, UP) is None
 
 
 def test_a_layer_without_height_is_none(monkeypatch):
     """Both of its ends are the same faces."""
-    monkeypatch.setattr("core.geometry.layered.step_at", lambda *_: 0.0)
+    monkeypatch.setattr("core.geometry.parts.layered.step_at", lambda *_: 0.0)
     assert found_in(arch, ALONG_Y) is None
 
 

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 
 from core.benchmarks.bench_prior import known_nouns
 from core.errors import UserError
-from core.geometry import pieces
+from core.geometry.parts import pieces
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import GEOMETRY_SLOTS

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from core.geometry.outline import area, contours, even, level, line_of, outline
+from core.geometry.parts.outline import area, contours, even, level, line_of, outline
 
 ERROR, STEP = 0.04, 0.0125
 SIDE = np.arange(-0.8, 0.8, STEP)

@@ -3,9 +3,10 @@
 import numpy as np
 import torch
 
-from core.geometry import pieces as pieces_module
-from core.geometry.assembly import Forms, KnownParts
-from core.geometry.pieces import drawn_in, places_of
+from core.geometry.parts import pieces as pieces_module
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.pieces import drawn_in, places_of
 from core.geometry.tet_grid import EXTENT
 
 

@@ -5,10 +5,18 @@ import pytest
 import torch
 from scipy.spatial.transform import Rotation
 
-from core.geometry.fitting import ANY, Faces, _covered, _evened, _fitted, pointed, primitive_of
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
-from core.geometry.primitives import Primitive
+from core.geometry.parts.fitting import (
+    ANY,
+    Faces,
+    _covered,
+    _evened,
+    _fitted,
+    pointed,
+    primitive_of,
+)
+from core.geometry.parts.primitives import Primitive
 
 ERROR = 0.04
 BLOCK = Faces(block=True)

@@ -13,7 +13,7 @@ import trimesh
 from core.config import TextureConfig
 from core.geometry.faces import areas_and_normals
 from core.geometry.mesh import Mesh, health
-from core.geometry.primitives import Primitive
+from core.geometry.parts.primitives import Primitive
 from core.geometry.union import union
 from core.io.job import Job
 from core.io.progress import Progress

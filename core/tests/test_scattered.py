@@ -3,7 +3,8 @@
 import pytest
 import torch
 
-from core.geometry.assembly import Forms, KnownParts
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
 from core.guidance.builtin.markings.drawn import alike
 from core.guidance.builtin.markings.scattered import APART, FEWEST, HALF, scattered_on
 from core.guidance.builtin.markings.windows import surface_places

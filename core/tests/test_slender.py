@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 import torch
 
-from core.geometry.assembly import Forms, KnownParts, assembled
 from core.geometry.mesh import NORMAL_RADIUS
+from core.geometry.parts.assembly import KnownParts, assembled
+from core.geometry.parts.forms import Forms
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.bent import BentSolid, in_box
 from core.guidance.builtin.guidance import PromptedBuiltin

@@ -3,10 +3,11 @@
 import pytest
 import torch
 
-from core.geometry.assembly import Forms, KnownParts
 from core.geometry.mesh import health
-from core.geometry.pieces import Place, drawn_at, drawn_in, places_of
-from core.geometry.twins import Twin, mirrored_mesh, twins
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.pieces import Place, drawn_at, drawn_in, places_of
+from core.geometry.parts.twins import Twin, mirrored_mesh, twins
 
 FLAT = Forms((1.0,), ((0.0,), (0.0,), (0.0,)))
 

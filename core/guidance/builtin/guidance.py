@@ -14,9 +14,9 @@ from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
 from core.device import has_fast_bfloat16
-from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
 from core.guidance.builtin.composition.composed import Composed

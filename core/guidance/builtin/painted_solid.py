@@ -8,7 +8,8 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.geometry.assembly import Forms, KnownParts
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
 from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment

@@ -15,10 +15,11 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
-from core.geometry.assembly import Forms, KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
-from core.geometry.pieces import Piece
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.pieces import Piece
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged

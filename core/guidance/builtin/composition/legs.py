@@ -7,7 +7,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.geometry.assembly import KnownParts
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.composition.holding import HANDED
 from core.guidance.builtin.composition.placement import Body
 from core.guidance.builtin.palette import looks

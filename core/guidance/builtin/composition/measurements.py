@@ -10,7 +10,7 @@ from jaxtyping import Float
 from scipy import ndimage
 from torch import Tensor
 
-from core.geometry.assembly import NEAR, KnownParts
+from core.geometry.parts.assembly import NEAR, KnownParts
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.composition.holding import HANDED
 from core.guidance.builtin.composition.placement import EYES, Body

@@ -14,10 +14,10 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
-from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
-from core.geometry.pieces import Piece
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.pieces import Piece
 from core.geometry.union import Region, clipped
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.placement import Body, Placement

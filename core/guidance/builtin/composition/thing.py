@@ -6,9 +6,9 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
-from core.geometry.assembly import KnownParts
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.words.slots import Words

@@ -9,7 +9,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.geometry.assembly import KnownParts
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.markings import bearer_of
 from core.guidance.builtin.markings.scattered import Scattered, scattered_on

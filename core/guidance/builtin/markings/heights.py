@@ -23,7 +23,7 @@ class Height(NamedTuple):
 
 FLAT = Height(0.0)
 RAISED, LOW = Height(0.01, 0.015), Height(0.006)
-OF_PANE = Height(0.018, 0.016)  # stands in a sunk pane, or around it
+OF_PANE = Height(0.015, 0.01)  # stands in a sunk pane, or around it
 SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
 BOWL = Height(-0.014, 0.05)
 

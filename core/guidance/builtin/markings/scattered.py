@@ -9,7 +9,7 @@ from jaxtyping import Float
 from scipy.spatial import KDTree
 from torch import Tensor
 
-from core.geometry.assembly import KnownParts
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.windows import surface_places

@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float, Int
 from scipy import ndimage
 from torch import Tensor
 
-from core.geometry.assembly import KnownParts
+from core.geometry.parts.assembly import KnownParts
 from core.geometry.tet_grid import EXTENT
 
 CELLS = 72  # of the picture of a thing, along an edge

@@ -15,9 +15,9 @@ from scipy.spatial.transform import Rotation
 
 from core.geometry.faces import areas_and_normals
 from core.geometry.lattice import FAR, Lattice
-from core.geometry.outline import even, level, outline
-from core.geometry.pieces import Piece
-from core.geometry.primitives import Layer, Points, Primitive, along_axes, packed, unrolled
+from core.geometry.parts.outline import even, level, outline
+from core.geometry.parts.pieces import Piece
+from core.geometry.parts.primitives import Layer, Points, Primitive, along_axes, packed, unrolled
 
 MOST = 4  # layers
 DEAR = 0.12  # of the nodes near the surface: what a layer more has to explain

@@ -11,7 +11,7 @@ from jaxtyping import Float
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
-from core.geometry.primitives import BLUR, FORMS, Points, Primitive
+from core.geometry.parts.primitives import BLUR, FORMS, Points, Primitive
 
 REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
 SOFT = 0.3  # errors, beyond which a point counts less

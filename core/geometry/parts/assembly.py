@@ -1,16 +1,15 @@
 """A solid of known parts as a mesh: the surface of each piece of each part, made exact, united.
 
 A part by itself is simple: a box, a ball, a board. On a lattice of its own size even a small one
-has its form. Most are a primitive (:mod:`core.geometry.fitting`), the same all around an axis
-(:mod:`core.geometry.revolved`), or flat outlines one upon another
-(:mod:`core.geometry.layered`); of the others planes are found whole (:mod:`core.geometry.crisp`),
-and where a piece meets others the union has an edge. One lattice over all of them rounds what is
-smaller than a cell, and there each border between two parts is ragged.
+has its form. Most are a primitive (:mod:`core.geometry.parts.fitting`), the same all around an
+axis (:mod:`core.geometry.revolved`), or flat outlines one upon another
+(:mod:`core.geometry.parts.layered`); of the others planes are found whole
+(:mod:`core.geometry.crisp`), and where a piece meets others the union has an edge. One lattice over
+all of them rounds what is smaller than a cell, and there each border between two parts is ragged.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -19,17 +18,17 @@ from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.bilateral import flattened
-from core.geometry.blade import blade
 from core.geometry.crisp import RIPPLES, crisp
-from core.geometry.crossed import crossed
-from core.geometry.faces import bending, unit
-from core.geometry.fitting import ANY, Faces, frames_of, primitive_of
-from core.geometry.flush import flush
-from core.geometry.init_shape import sample_surface
-from core.geometry.layered import ends_share, layered, wall
+from core.geometry.faces import bending
 from core.geometry.mesh import drop_floaters, face_areas
-from core.geometry.pieces import (
-    FITTED,
+from core.geometry.parts.blade import blade
+from core.geometry.parts.crossed import crossed
+from core.geometry.parts.fitting import frames_of
+from core.geometry.parts.flush import flush
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.layered import ends_share, layered, wall
+from core.geometry.parts.matching import is_drawn, is_same, matched
+from core.geometry.parts.pieces import (
     Distances,
     Mesh,
     Piece,
@@ -39,56 +38,22 @@ from core.geometry.pieces import (
     repeated,
     turned_share,
 )
-from core.geometry.primitives import FORMS, FRAMES, Points, Primitive
+from core.geometry.parts.primitives import FRAMES, Primitive
+from core.geometry.parts.twins import Twin, across, mirrored_mesh, twins
 from core.geometry.revolved import SHARE, revolved
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
-from core.geometry.twins import Twin, across, mirrored_mesh, twins
 from core.geometry.union import is_solid, profile, union
 
-ALIKE = 1.25  # times the area of the least of pieces that may be the same
 WORDY = 0.001  # errors in the mean, for each number of an outline
-STANDS_OUT = 2.5  # errors
-SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
 SECTIONS, OUTLINE = 8, 0.002  # through an axis; training units that its outline is simplified by
-LEAST_FLAT = 0.05  # of a part's surface, from which its pieces may have flat faces
 FLAT_ENDS = 0.4  # of the area of a piece's ends, what of its part is flat in the mean, at least
 STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain less are ragged
 NEAR = 0.1  # training units
-# Of a part's surface, what is flat of blocks and discs in the mean, at least; and of sharp ones.
-BLOCK, SHARP = 0.58, 0.78
 # Errors in the mean, below which a piece is surely what it seems; what a blade has of that at most.
 CLEAR, BLADED = 0.06, 0.7
 ENDLESS = "wall", "blade"  # without ends across an axis
 STRUT = 0.03  # radius, training units
-STRAY = 0.06  # of the area of a part's least piece, what is none of it at most
-
-
-class Forms(NamedTuple):
-    """What the parts are like, in the mean over a noun's objects."""
-
-    flat: Sequence[float]  # of each, the fraction of its surface that is flat
-    round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
-    cornered: Collection[int] = ()  # parts of corners that are too many to be told from round
-    # Of each the area of its least piece, as a fraction of its largest one's; 0 where that is not
-    # known.
-    least: Sequence[float] = ()
-
-    def may_be_flat(self, part: int) -> bool:
-        """Whether pieces of the part may have flat faces; of what is small or was never seen the
-        table knows nothing."""
-        known = self.flat[part] or any(axis[part] for axis in self.round)
-        return not known or self.flat[part] >= LEAST_FLAT
-
-    def is_stray(self, part: int, share: float) -> bool:
-        """Whether a piece is far smaller than any that the part has; ``share``: its area, as a
-        fraction of the largest one's."""
-        return part < len(self.least) and share < STRAY * self.least[part]
-
-    def faces(self, part: int) -> Faces:
-        """What is known of the faces of the part's pieces."""
-        flat = self.flat[part]
-        return Faces(self.may_be_flat(part), flat >= BLOCK, flat >= SHARP, part in self.cornered)
 
 
 class KnownParts:
@@ -292,105 +257,6 @@ def without_strays(pieces: list[Piece], forms: Forms) -> list[Piece]:
         for piece, area in pairs
         if not forms.is_stray(piece.place.part, area / largest[piece.place.part])
     ]
-
-
-def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Primitive | None]:
-    """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
-    they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
-
-    What a part's forms say it has no flat faces of is no box and no disc: a stripe around a tiger's
-    tail was a block, a panda's eyes were discs. What they say is mostly flat is one, if it
-    can be: a nightstand's drawer was a roll.
-    """
-    points = [points_of(piece) for piece in pieces]
-    found: list[Primitive | None] = [None] * len(pieces)
-    for group in alike(pieces):
-        part = pieces[group[0]].place.part
-        faces = forms.faces(part)
-        some = [pieces[k] for k in group], [points[k] for k in group]
-        pairs = list(zip(group, fitted_together(*some, faces), strict=True))
-        slack = slack_of(len(group))
-        if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, one_drawn(distances, pieces[k], points[k], faces)) for k in group]
-        for k, one in pairs:
-            found[k] = one.sharp() if one else None
-    return found
-
-
-def is_same(one: Primitive | None, other: Primitive | None) -> bool:
-    """Whether two pieces were fitted together."""
-    return bool(one and other) and np.array_equal(one.lengths, other.lengths)
-
-
-def one_drawn(distances: Distances, piece: Piece, points: Points, faces: Faces) -> Primitive | None:
-    """The primitive that a piece is by itself, where it was drawn; no block, if that was not."""
-    for known in (faces, faces._replace(block=False, sharp=False))[: 1 + faces.block]:
-        one = primitive_of(points, piece.error, known)
-        if one is not None and is_drawn(distances, one, piece):
-            return one
-    return None
-
-
-def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 1.0) -> bool:
-    """Whether the whole surface of a primitive is about where the piece is drawn, and nothing of
-    the piece stands far out of it: a fountain's jet is few points of its water."""
-    if float(one.distance(piece.verts).abs().max()) > STANDS_OUT * slack * piece.error:
-        return False
-    generator = torch.Generator().manual_seed(0)
-    points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
-    off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)
-    return all(float((off < by).float().mean()) >= share for by, share in FORMS[one.form].drawn)
-
-
-def alike(pieces: list[Piece]) -> list[list[int]]:
-    """The pieces by part and area."""
-    area = [float(face_areas(piece.verts, piece.faces).sum()) for piece in pieces]
-    groups: list[list[int]] = []
-    for k in sorted(range(len(pieces)), key=lambda k: (pieces[k].place.part, area[k])):
-        least = groups[-1][0] if groups else k
-        same_part = pieces[least].place.part == pieces[k].place.part
-        if groups and same_part and area[k] < ALIKE * area[least]:
-            groups[-1].append(k)
-        else:
-            groups.append([k])
-    return groups
-
-
-def slack_of(count: int) -> float:
-    """How much worse than one alone so many pieces may be of one primitive: a table's legs."""
-    return SLACK if count >= MANY else 1.0
-
-
-def fitted_together(
-    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], faces: Faces = ANY
-) -> Sequence[Primitive | None]:
-    """One primitive for all, each at its place; Nones where it does not fit all."""
-    if len(pieces) > 1:
-        error = slack_of(len(pieces)) * pieces[0].error
-        middles = [piece.middle.double().numpy() for piece in pieces]
-        for placed in (unturned, mirrored, around):
-            frames = [placed(middle) for middle in middles]
-            local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]
-            one = primitive_of(np.concatenate(local)[:: len(points)], error, faces)
-            if one is not None and all(one.fits(some, error) for some in local):
-                return [one.placed(f, m) for f, m in zip(frames, middles, strict=True)]
-    return [None] * len(points)
-
-
-def unturned(_middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
-    """As it is."""
-    return np.eye(3)
-
-
-def mirrored(middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
-    """Each side of x = 0 and of y = 0 the mirror of the other."""
-    return np.diag([1.0 if middle[0] >= 0 else -1.0, 1.0 if middle[1] >= 0 else -1.0, 1.0])
-
-
-def around(middle: Float[np.ndarray, " 3"]) -> Float[np.ndarray, "3 3"]:
-    """Turned about the vertical, as the place is."""
-    c, s = unit(middle[None, :2])[0]
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def turned_about(piece: Piece, axis: int) -> Primitive | None:

@@ -1,7 +1,7 @@
 """Simple solids, of which most pieces of things are one: a box, a ball, a wheel, a leg, a board.
 
-Where one fits (:mod:`core.geometry.fitting`, :mod:`core.geometry.layered`), it takes the place of
-what was drawn, and has its edges, its roundness and its symmetry.
+Where one fits (:mod:`core.geometry.parts.fitting`, :mod:`core.geometry.parts.layered`), it takes
+the place of what was drawn, and has its edges, its roundness and its symmetry.
 
 Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org).
 """

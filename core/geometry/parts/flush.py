@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.sparse.csgraph import connected_components
 
-from core.geometry.primitives import Primitive
+from core.geometry.parts.primitives import Primitive
 
 STEP = 0.015  # training units, at most, between faces that are one plane
 OVER = 0.5  # of the smaller face, what lies upon the other: a pane on its wall stays

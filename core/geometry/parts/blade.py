@@ -1,7 +1,7 @@
 """The blade that a piece is: a lozenge across, that comes to a point.
 
-By least squares (:mod:`core.geometry.fitting`): a network rounds thin edges off, and the sides tell
-where they meet.
+By least squares (:mod:`core.geometry.parts.fitting`): a network rounds thin edges off, and the
+sides tell where they meet.
 """
 
 import numpy as np
@@ -9,8 +9,8 @@ from jaxtyping import Float
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
-from core.geometry.pieces import Piece, points_of
-from core.geometry.primitives import FRAMES, Points, Primitive
+from core.geometry.parts.pieces import Piece, points_of
+from core.geometry.parts.primitives import FRAMES, Points, Primitive
 
 LONG = 1.5  # times as long as wide, at least
 TIP = 0.2  # of the length, to begin with

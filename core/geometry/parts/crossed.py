@@ -10,9 +10,9 @@ import torch
 from scipy.spatial.transform import Rotation
 
 from core.geometry.init_shape import sample_surface
-from core.geometry.layered import even_layers
-from core.geometry.pieces import FITTED, Piece, points_of
-from core.geometry.primitives import (
+from core.geometry.parts.layered import even_layers
+from core.geometry.parts.pieces import FITTED, Piece, points_of
+from core.geometry.parts.primitives import (
     FORMS,
     FRAMES,
     Layer,

@@ -13,7 +13,7 @@ from torch import Tensor
 from core.geometry.init_shape import sample_surface
 from core.geometry.lattice import FAR, Lattice
 from core.geometry.mesh import compact, component_labels, face_areas, polished
-from core.geometry.primitives import Primitive
+from core.geometry.parts.primitives import Primitive
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 

@@ -11,7 +11,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.geometry.pieces import Distances, Mesh, Piece, points_of
+from core.geometry.parts.pieces import Distances, Mesh, Piece, points_of
 
 BOX = 1.5  # cells
 OFF = 0.3  # errors: how far one's mirrored points are from the other's surface, in the mean
