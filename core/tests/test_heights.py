@@ -154,3 +154,14 @@ def test_a_houses_panes_lie_below_their_frames(house):
         heights[area == names.index(name)] for name in ("walls", "windows", "frames")
     )
     assert panes.median() < walls.median() == 0 < frames.quantile(0.8)
+
+
+def test_a_basketballs_seams_go_in():
+    painted = shipped_prior().prompted("a basketball", "").of_object(0).painted
+    points = 0.9 * torch.tensor([[0.0, -1.0, 0.0], [0.2, -0.9, 0.4]])
+    area = torch.zeros(2).long()
+    assert torch.allclose(
+        painted.area_fields(()).heights(points, area), torch.tensor([GROOVE.high, 0])
+    )
+    striped = shipped_prior().prompted("a basketball with white stripes", "").of_object(0).painted
+    assert not striped.area_fields(()).heights(points, area).any()

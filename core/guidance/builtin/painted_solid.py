@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
@@ -14,6 +14,7 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
+from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     Marked,
     bearer_of,
@@ -24,7 +25,7 @@ from core.guidance.builtin.markings.markings import (
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.palette import looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
-from core.guidance.builtin.patterns import ALONG, Laid, axis_of
+from core.guidance.builtin.patterns import ALONG, LINES, MARGINS, Laid, axis_of
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
@@ -120,9 +121,17 @@ class PaintedSolid:
             shown_on.append(emblem.on)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         parts = torch.tensor(shown_on)
-        return AreaFields(
-            drawn, near, tuple(each), lambda at, of: self.marked.height(at, parts[of])
-        )
+        return AreaFields(drawn, near, tuple(each), lambda at, of: self._height(at, parts[of]))
+
+    def _height(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
+        """How far the surface stands out at points of the parts: the lines of a pattern that is of
+        the thing's form go in, as a basketball's seams."""
+        found = self.marked.height(points, part)
+        for index, paint in enumerate(self.paints):
+            if paint.pattern in LINES:
+                here = (part == index).nonzero().squeeze(1)
+                found[here] += GROOVE.at(MARGINS[paint.pattern](points[here]))
+        return found
 
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that the thing has no room for, and on each part that stays."""
