@@ -345,6 +345,37 @@ def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
     assert (badge in [part for part, *_ in prompted.painted.marked.laid]) is there
 
 
+def test_a_stated_number_is_where_the_things_own_is():
+    plain, stated = (
+        shipped_prior().prompted(f"a race car{more}", "").of_object(0).painted
+        for more in ("", " with number 44")
+    )
+    assert stated.number == "44" and not stated.emblems and not stated.left_out()
+    index = list(looks("race car")).index("number")
+    own, other = ({one.part: one for one in of.marked.laid}[index] for of in (plain, stated))
+    low, high = own.box
+    flat = torch.cartesian_prod(torch.linspace(-0.3, 0.3, 80), torch.linspace(-0.9, 0.1, 120))
+    points = torch.nn.functional.pad(flat, (0, 1)) + (low + high) / 2
+    one, two = own.margin(points) > 0, other.margin(points) > 0
+    assert one.any() and two.any() and not torch.equal(one, two)
+    # It is the same disc, another number left out of it.
+    assert (one | two).float().mean() < 1.5 * one.float().mean()
+
+
+@pytest.mark.parametrize("more", ["the number 7 on its side", "a white number 7", "the text 12345"])
+def test_a_number_that_is_not_the_things_own_is_written_anew(more):
+    painted = shipped_prior().prompted(f"a race car with {more}", "").of_object(0).painted
+    assert not painted.number and len(painted.emblems) == 1
+
+
+def test_what_is_on_a_door_that_is_no_part_is_on_the_side():
+    painted = shipped_prior().prompted("a taxi with the number 7 on its door", "").of_object(0)
+    (seven,) = painted.painted.emblems
+    assert seven.window.way == WAYS["side"]
+    letters = list(looks("taxi")).index("letters")
+    assert letters in [one.part for one in painted.painted.marked.laid]  # on its sign
+
+
 def test_a_run_tells_what_of_the_prompt_is_left_out(tmp_path, monkeypatch):
     """Before it makes anything."""
     monkeypatch.setattr("core.generate.learned_shape", lambda *_, **__: pytest.fail("too late"))

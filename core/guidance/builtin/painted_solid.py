@@ -16,6 +16,7 @@ from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.markings.drawn import Drawn, drawn_on
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
+    NUMBER,
     Marked,
     bearer_of,
     has_markings,
@@ -29,11 +30,13 @@ from core.guidance.builtin.patterns import ALONG, LINES, MARGINS, Laid, axis_of
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
+from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Area
 
 SOFT = 0.01  # of a part's surface, flat: known, and not so
 EVEN = 0.02  # of a scale, along two axes: a circle stays one
+LONG = 4  # digits: a number by nature has fewer
 BEARS = "it stays, as what is drawn lies on it."
 NO_ROOM = "left out, as the thing has no room for it."
 
@@ -66,7 +69,18 @@ class PaintedSolid:
     @cached_property
     def emblems(self) -> list[Drawn]:
         """What the prompt wants drawn on it."""
-        return drawn_on(self.words.noun, self.words.emblems, self.parts, self.paints)
+        others = [one for one in self.words.emblems if not self._is_number(one)]
+        return drawn_on(self.words.noun, others, self.parts, self.paints)
+
+    @cached_property
+    def number(self) -> str:
+        """What is stated of the number that the thing has by nature."""
+        return next((one.text for one in self.words.emblems if self._is_number(one)), "")
+
+    def _is_number(self, emblem: Emblem) -> bool:
+        elsewhere = emblem.on or emblem.side or emblem.color
+        short = emblem.text.isdecimal() and len(emblem.text) < LONG
+        return short and not elsewhere and is_marking(self.words.noun, NUMBER)
 
     @cached_property
     def marked(self) -> Marked:
@@ -74,13 +88,13 @@ class PaintedSolid:
         noun = self.words.noun
         gone = {name for name in self.words.absent if not bears(self.words, name)}
         gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
-        if any(emblem.text for emblem in self.words.emblems):
-            gone |= {"letters", "number"}  # others are to be there
+        if any(one.emblem.text and not one.emblem.on for one in self.emblems):
+            gone |= {"letters", NUMBER}  # others are to be there
         if self.words.emblems and is_marking(noun, "badge"):
             taken = {self.paints[one.on].name for one in self.emblems if one.has_place}
             gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
         names = ["" if name in gone else name for name in looks(noun)]
-        return Marked(noun, names, self.parts.boxes() if has_markings(noun) else ())
+        return Marked(noun, names, self.parts.boxes() if has_markings(noun) else (), self.number)
 
     @cached_property
     def axes(self) -> tuple[int, ...]:

@@ -39,6 +39,12 @@ def _plate(up: float, wide: float = 0.27, high: float = 0.13) -> tuple[Outline, 
     return Plate((0, up), (wide, high), 0.3), letters
 
 
+def race_number(points: Points, half: Half, text: str) -> Margin:
+    """A disc on the nose, the number left out of it."""
+    size = 0.22 if len(text) == 1 else 0.17
+    return laid(points, half, top=(NOSE, Emblem(NOSE.at, size, text=text, gap=True)), deep=-0.2)
+
+
 def windows(
     points: Points,
     half: Half,
@@ -334,10 +340,7 @@ ROBOT_BUTTONS = {
     ),
     "back": (Cells((0, 0.1), (0.5, 0.3), (1, 4), (1, 0.35), 0.9),),
 }
-RACE_NUMBER = {
-    "top": (Disc((0, -0.46), 0.32), Emblem((0, -0.46), 0.22, text="7", gap=True)),
-    "deep": -0.2,
-}
+NOSE = Disc((0, -0.46), 0.32)  # of a race car, for its number
 VISOR = {"front": (Plate((0, 0.12), (0.72, 0.3), 0.9),), "deep": 0.1}
 TRAIN_WINDOWS = {
     "front": (Plate((0.45, 0.28), (0.2, 0.17), 0.4, twice=True),),

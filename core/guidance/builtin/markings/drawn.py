@@ -32,6 +32,7 @@ BOARDS = frozenset(
     cloth doors door shield sail sticker wrapper sleeve screen belly""".split()
 )
 TRUNK = ("chest", "torso", "tummy", "breast")
+DOORS = ("door", "doors")
 NOT_ON = frozenset("wheels hubs tyres windows eyes lamps hair legs feet hands".split())
 COLORS: dict[str, Color] = {  # where the prompt names none
     "heart": (0.84, 0.10, 0.16),
@@ -85,6 +86,8 @@ class Drawn:
         on = "body" if emblem.on in TRUNK else emblem.on
         # What lies on another as paint does has no surface.
         asked = [bearer_of(noun, name) for name in own_names(noun, on)] if on else []
+        if on in DOORS and not asked:  # a car's are seams on its body
+            side = side or "side"
         worth = [_worth(paint, asked, emblem) for paint in paints]
         self.window: Window | None = None
         self.stripes: Float[Tensor, "2 3"] | None = None

@@ -6,6 +6,7 @@ it is as sharp as the texture; and it is a part by name, with a colour and a mat
 """
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import torch
@@ -16,6 +17,8 @@ from core.guidance.builtin.markings.heights import FLAT, Height, height_of
 from core.guidance.builtin.markings.margins import Margin
 from core.guidance.builtin.markings.marking import Marking
 from core.guidance.builtin.markings.table import MARKINGS
+
+NUMBER = "number"  # a part by that name takes another as its margin's ``text``
 
 
 class Laid(NamedTuple):
@@ -43,18 +46,25 @@ class Marked:
     them."""
 
     def __init__(
-        self, noun: str, names: Sequence[str], boxes: Sequence[Float[Tensor, "2 3"] | None]
+        self,
+        noun: str,
+        names: Sequence[str],
+        boxes: Sequence[Float[Tensor, "2 3"] | None],
+        number: str = "",
     ) -> None:
         """
         Args:
             names: of the noun's parts; "" of those that the object is without.
             boxes: of each the lowest and the highest corner; None of what has no solid.
+            number: that it has instead of its usual one.
         """
         self.laid: list[Laid] = []
         self.bearers = list(range(len(names)))  # of each part; its own where it has a solid
         for name, one in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
             bearer = bearer_of(noun, name)
             by = one.by or bearer
+            if number and name == NUMBER:
+                one = one._replace(marks=partial(one.marks, text=number))
             if {name, one.on, bearer, by} <= set(names):
                 box = boxes[names.index(by)]
                 if box is not None:

@@ -49,6 +49,7 @@ class Tokens:
     sizes: list[Size] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     measures: list[str] = field(default_factory=list)  # of what is no size, as they were written
+    _entries: dict[str, Entry | None] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
@@ -164,8 +165,10 @@ class Tokens:
         return phrase in TOWARDS or (entry is not None and entry.slot in slots)
 
     def entry(self, phrase: str) -> Entry | None:
-        """What the phrase means by itself, if anything."""
-        return look_up(phrase, self.known)
+        """What the phrase means by itself, if anything; looked up once."""
+        if phrase not in self._entries:
+            self._entries[phrase] = look_up(phrase, self.known)
+        return self._entries[phrase]
 
     def thing(self, phrase: str) -> str:
         """The thing that the phrase names, or ""."""

@@ -45,7 +45,7 @@ BUILT: Rows = {
         "buttons": Marking("body", partial(outlines.laid, **bodywork.ROBOT_BUTTONS)),
     },
     "race car": {
-        "number": Marking("body", partial(outlines.laid, **bodywork.RACE_NUMBER)),
+        "number": Marking("body", partial(bodywork.race_number, text="7")),
         "visor": Marking("helmet", partial(outlines.laid, **bodywork.VISOR)),
     },
     "train": {
