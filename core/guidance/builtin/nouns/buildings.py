@@ -237,6 +237,8 @@ BUILDINGS = {
             "sign": "-f4efe0",
             "roof": "*c4161c . paint",
             "handle": "-c9a24a . golden",
+            "letters": "-1d1d20",
+            "seams": "~8f0f14",
         },
         Usual(2.5, STEEL, 0.05),
     ),

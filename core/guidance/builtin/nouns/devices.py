@@ -42,7 +42,7 @@ DEVICES = {
     ),
     "keyboard": Noun(
         "computer keyboard, mechanical keyboard, gaming keyboard",
-        {"body": "*33363c", "keys": "+d9dbde", "accents": "-d8562a"},
+        {"body": "*33363c", "keys": "+d9dbde", "accents": "-d8562a", "letters": "-33363c"},
         Usual(0.44, PLASTIC, 0.17),
     ),
     "camera": Noun(
@@ -168,6 +168,8 @@ DEVICES = {
             "joystick": "-c9261f",
             "buttons": "-f2d12a",
             "door": "-3b3d42 . metal",
+            "pixels": "-6fe07a",
+            "stripes": "+f4b81e",
         },
         Usual(1.8, WOOD, 0.2),
     ),
@@ -216,6 +218,8 @@ DEVICES = {
             "keys": "+6d665a",
             "slot": "-2c2b29",
             "button": "-58b368",
+            "letters": "-a8f0b4",
+            "vents": "-5e584a",
         },
         Usual(0.5, PLASTIC, 0.26),
     ),
@@ -340,7 +344,15 @@ DEVICES = {
     ),
     "calculator": Noun(
         "pocket calculator, desk calculator, electronic calculator; adding machine",
-        {"body": "*34373d", "display": "-a9c3a0", "keys": "+e7e9ec", "accents": "-e8832a"},
+        {
+            "body": "*34373d",
+            "display": "-a9c3a0",
+            "keys": "+e7e9ec",
+            "accents": "-e8832a",
+            "digits": "-1f2a1e",
+            "numbers": "-2b2e33",
+            "symbols": "-fff4e6",
+        },
         Usual(0.15, PLASTIC, 0.23),
     ),
     "hair dryer": Noun(

@@ -37,6 +37,8 @@ STREET = {
             "cab": "+dfe8ee . paint",
             "weights": "-8b8982 . stone",
             "hook": "-3a3d41 . metal",
+            "gaps": "-3a3d42",
+            "holes": "-3a3d42",
         },
         Usual(40, STEEL, 0.002),
     ),

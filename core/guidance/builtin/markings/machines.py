@@ -1,0 +1,292 @@
+"""Markings of machines and vehicles: panes, letters, grilles, keys, gauges, stripes.
+
+Most are outlines on a thing's sides (:mod:`core.guidance.builtin.markings.bodywork`).
+"""
+
+import math
+from collections.abc import Sequence
+
+import torch
+
+from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.outlines import (
+    Cells,
+    Disc,
+    Emblem,
+    Line,
+    Outline,
+    Pair,
+    Plate,
+    Poly,
+)
+from core.guidance.builtin.markings.stencils import lettering
+
+INVADER = ("..X..X..", "...XX...", "..XXXX..", ".XX..XX.", "XXXXXXXX", "X.XXXX.X", "X......X",
+           "..X..X..")  # fmt: skip
+SHIP = ("...XX...", "..XXXX..", "XXXXXXXX", "XXXXXXXX")
+
+
+def sprite(rows: Sequence[str], at: Pair, pixel: Pair) -> tuple[Outline, ...]:
+    """A picture of squares, the runs of each row as one; ``pixel``: its half sides."""
+    found = []
+    for k, row in enumerate(rows):
+        up = at[1] + (len(rows) - 1 - 2 * k) * pixel[1]
+        begin = 0
+        while (begin := row.find("X", begin)) >= 0:
+            end = len(row[begin:]) - len(row[begin:].lstrip("X"))
+            aside = at[0] + (2 * begin + end - len(row)) * pixel[0]
+            found.append(Plate((aside, up), (end * pixel[0] * 1.02, pixel[1] * 1.02)))
+            begin += end
+    return tuple(found)
+
+
+def reel_sevens(points: Points, half: Half) -> Margin:
+    """A seven on each of three reels side by side, by the box of all or of one."""
+    pitch = float(half[0]) / (1.42 if half[0] > 0.9 * half[2] else 0.42)
+    x = points[:, 0] / pitch
+    size = 0.62 * pitch
+    place = torch.stack([(x - x.round()) * pitch, points[:, 2]], 1) / size
+    return all_of((lettering(place, "7") + 0.05) * size, in_front(points))
+
+
+def on_four(*outlines: Outline) -> dict[str, tuple[Outline, ...]]:
+    """The same on all four walls."""
+    return dict.fromkeys(("front", "back", "sides"), outlines)
+
+
+BOOTH_LETTERS = on_four(Emblem((0, 0.837), 0.085, text="TELEPHONE")) | {"deep": 0.6}
+BOOTH_SIGN = on_four(Plate((0, 0.837), (0.76, 0.1), 0.2)) | {"deep": 0.6}
+BOOTH_WINDOWS = on_four(Cells((0, 0.03), (0.68, 0.66), (3, 5), (0.84, 0.84))) | {"deep": 0.6}
+BOOTH_SEAMS = on_four(Plate((0, 0.0), (0.79, 0.71), 0.06, 0.01)) | {"deep": 0.6}
+ARCADE_MARQUEE = {
+    "front": (
+        Plate((0, 0.82), (0.92, 0.13), 0.2),
+        Emblem((0, 0.82), 0.15, text="ARCADE", gap=True),
+    ),
+    "deep": 0.1,
+}
+ARCADE_PIXELS = {
+    "front": (
+        *(one for at in (-0.45, 0.45) for one in sprite(INVADER, (at, 0.34), (0.05, 0.066))),
+        *sprite(SHIP, (-0.4, -0.7), (0.04, 0.05)),
+        Plate((-0.4, -0.38), (0.028, 0.08)),
+    ),
+    "deep": -9.0,
+}
+ARCADE_STRIPES = {
+    "sides": (
+        Poly(((-1.1, -1.1), (-0.55, -1.1), (1.1, 0.62), (1.1, 0.92))),
+        Poly(((-0.35, -1.1), (-0.1, -1.1), (1.1, 0.22), (1.1, 0.46))),
+    ),
+    "back": (
+        Plate((0, -0.3), (0.6, 0.5), 0.1, 0.014),
+        Cells((0, 0.6), (0.5, 0.16), (1, 4), (1, 0.4), 0.8),
+    ),
+    "aside": 0.93,
+    "deep": 0.7,
+}
+SLOT_BADGES = {
+    "sides": (Plate((0, 0.05), (0.72, 0.84), 0.1, 0.022), Emblem((0, 0.1), 0.62, "diamond"),
+              Emblem((0, 0.1), 0.3, "diamond", gap=True)),
+    "back": (Plate((0, 0), (0.76, 0.84), 0.1, 0.022), Emblem((0, 0.1), 0.5, "diamond"),
+             Emblem((0, 0.1), 0.26, "diamond", gap=True)),
+    "deep": 0.7,
+}  # fmt: skip
+JEEP_GRILLE = {
+    "front": (Cells((0, 0.12), (0.34, 0.5), (7, 1), (0.52, 1), 0.9),
+              Plate((0, -0.82), (0.8, 0.1), 0.5)),
+    "deep": 0.7,
+}  # fmt: skip
+_ROUNDEL = lambda at, size: (Disc(at, size, 0.014), Emblem(at, size * 0.86, "star"))  # noqa: E731
+JEEP_STARS = {"top": _ROUNDEL((0, -0.66), 0.3), "sides": _ROUNDEL((0.02, 0.1), 0.5),
+              "deep": 0.4, "aside": 0.5}  # fmt: skip
+TRAM_WINDOWS = {
+    "front": (Plate((0, 0.27), (0.76, 0.38), 0.2),),
+    "back": (Plate((0, 0.27), (0.76, 0.38), 0.2),),
+    "sides": (Cells((0, 0.28), (0.62, 0.36), (5, 1), (0.86, 1), 0.2),
+              Plate((0.79, 0.12), (0.075, 0.52), 0.2, twice=True)),
+    "deep": 0.7,
+}  # fmt: skip
+TRAM_DOORS = {
+    "sides": (Plate((0.79, -0.08), (0.115, 0.8), 0.1, 0.011, twice=True),
+              Line(((0.79, -0.42), (0.79, -0.88)), 0.009, twice=True)),
+    "deep": 0.7,
+}  # fmt: skip
+TRAM_LAMPS = {side: (Disc((0.62, -0.78), 0.15, twice=True),) for side in ("front", "back")}
+TRAM_SIGN = {
+    side: (Plate((0, 0.84), (0.56, 0.13), 0.4), Emblem((0, 0.84), 0.13, text="TRAM", gap=True))
+    for side in ("front", "back")
+}
+COMPUTER_LETTERS = {
+    "front": (Emblem((-0.2, 0.5), 0.2, text="HELLO !"), Emblem((-0.62, 0.0), 0.17, text=">"),
+              Plate((-0.34, 0.0), (0.11, 0.16))),
+    "deep": -9.0,
+}  # fmt: skip
+COMPUTER_VENTS = {
+    "sides": (Cells((-0.3, 0.66), (0.22, 0.2), (1, 4), (1, 0.42), 0.8),),
+    "back": (Cells((0, 0.3), (0.44, 0.34), (1, 6), (1, 0.42), 0.8),
+             Cells((0, -0.8), (0.7, 0.1), (5, 1), (0.6, 1), 0.3)),
+    "deep": 0.3,
+    "aside": 0.4,
+}  # fmt: skip
+CONSOLE_PIXELS = {
+    "front": (*sprite(INVADER, (0, 0.22), (0.085, 0.085)), *sprite(SHIP, (0, -0.7), (0.06, 0.05))),
+    "deep": -9.0,
+}
+CONSOLE_LAMP = {"front": (Disc((-0.88, 0.16), 0.055),), "deep": -9.0}
+KEY_LETTERS = {
+    "top": tuple(
+        Emblem(((c + first - 2.5) * 0.308, row * 0.442), 0.088, text=letter)
+        for letters, first, row in (("QWERT", 1, 1.5), ("ASDFG", 0, 0.5), ("ZXCVB", 0, -0.5))
+        for c, letter in enumerate(letters)
+    ),
+    "deep": 0.2,
+}
+_ROWS = (0.119, -0.187, -0.493, -0.8)  # of a calculator's keys, in halves of its length
+CALCULATOR_DIGITS = {"top": (Emblem((0.1, 0.61), 0.15, text="1234.5"),), "deep": -9.0}
+CALCULATOR_NUMBERS = {
+    "top": tuple(
+        Emblem((x, y), 0.11, text=text)
+        for y, pair in zip(_ROWS, ("78", "45", "12", "0."), strict=True)
+        for x, text in zip((-0.62, 0.0), pair, strict=True)
+    ),
+    "deep": -9.0,
+}
+CALCULATOR_SYMBOLS = {
+    "top": tuple(Emblem((0.62, y), 0.11, text=text) for y, text in zip(_ROWS, "+-x=", strict=True)),
+    "deep": -9.0,
+}
+
+
+def truss(
+    points: Points, half: Half, along: int, count: int, room: Pair, bar: float = 0.016
+) -> Margin:
+    """What is open between the slanted bars of a beam, seen from its sides, in so many bays along
+    an axis; ``room``: from where to where across, in halves."""
+    across = 3 - along  # y and z are 1 and 2
+    pitch = 2 * 0.92 * half[along] / count
+    low, high = room[0] * half[across], room[1] * half[across]
+    at, up = points[:, along] / pitch + count / 2, points[:, across]
+    turn = (at - at.floor() - 0.5).abs() * 2  # 1 between two bays, 0 in the middle of one
+    rise = low + turn * (high - low)
+    off = (up - rise).abs() / torch.sqrt(1 + (2 * (high - low) / pitch).square())
+    inside = all_of(up - low, high - up, 0.92 * half[along] - points[:, along].abs())
+    return all_of(inside, off - bar)
+
+
+def grid(points: Points, _half: Half, pitch: Pair, wide: float = 0.008) -> Margin:
+    """Lines along and across what lies, from its middle, ``pitch`` in training units."""
+    at = points[:, :2] / points.new_tensor(pitch) + 0.5
+    away = (at - at.round()).abs() * points.new_tensor(pitch)
+    return wide - away.amin(1)
+
+
+def hazard(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
+    """A band of slanted stripes, every other one left out."""
+    (x, y), (u, v), step = at, size, 2 * size[0] / count
+    gaps = (
+        Poly(
+            ((a, y - v), (a + step / 2, y - v), (a + step, y + v), (a + step / 2, y + v)), gap=True
+        )
+        for a in (x - u + k * step for k in range(count))
+    )
+    return (Plate(at, size), *gaps)
+
+
+DUMPER_TRIM = {
+    "front": (Cells((0, -0.36), (0.36, 0.26), (1, 4), (1, 0.46), 0.6),
+              *hazard((0, -0.8), (1.1, 0.17), 9)),
+    "sides": (Plate((-0.53, 0.08), (0.13, 0.84), 0.1, 0.01),
+              Plate((-0.46, -0.1), (0.04, 0.05), 0.9)),
+    "deep": 0.7,
+    "aside": 0.5,
+}  # fmt: skip
+CART_LAMPS = {"front": (Disc((0.66, 0.16), 0.27, twice=True),), "deep": 0.4}
+CART_TRIM = {
+    "front": (Disc((0.66, 0.16), 0.37, twice=True), Cells((0, 0.16), (0.38, 0.24), (1, 3), (1, 0.46), 0.8),
+              Plate((0, -0.74), (1.2, 0.24))),
+    "back": (Plate((0, -0.74), (1.2, 0.24)),),
+    "sides": (Plate((0.0, -0.84), (0.36, 0.16)), Plate((-1, -0.74), (0.1, 0.24)),
+              Plate((1, -0.74), (0.1, 0.24))),
+    "deep": 0.3,
+    "aside": 0.6,
+}  # fmt: skip
+SCOOTER_TRIM = {
+    "sides": (Plate((0.62, -0.02), (0.25, 0.3), 0.95),),
+    "front": (Plate((0, 0.3), (0.9, 0.66), 0.4, 0.026),),
+    "aside": 0.3,
+    "deep": 0.05,
+}
+SCOOTER_GRILLE = {"front": (Cells((0, 0.3), (0.4, 0.16), (1, 4), (1, 0.46), 0.8),), "deep": 0.05}
+SCOOTER_TAIL = {"back": (Disc((0, 0.0), 0.3),), "deep": 0.7}
+SKI_TRIM = {
+    "sides": (Poly(((-0.86, -0.5), (-0.4, 0.5), (-0.18, 0.5), (-0.5, -0.1), (-0.2, -0.2),
+                    (-0.26, -0.5))),),
+    "top": (Poly(((-0.5, -0.35), (0.0, -0.75), (0.5, -0.35), (0.5, -0.52), (0.0, -0.95),
+                  (-0.5, -0.52))),),
+    "aside": 0.5,
+    "deep": -0.6,
+}  # fmt: skip
+SADDLE_RIBS = tuple((at, at + 0.07) for at in (-0.75, -0.55, -0.35, 0.15, 0.35, 0.55, 0.75))
+ROVER_FOIL = on_four(Cells((0, 0), (0.9, 0.8), (3, 1), (0.86, 1), 0.1)) | {"deep": 0.7}
+BALLOON_RIM = ((-2.0, -0.86), (-0.02, 0.14))
+SKULL = {"front": (Emblem((0, 0), 0.52, "skull"),), "deep": 0.1}
+KETTLE_BANDS = ((-2.0, -0.82), (0.34, 0.42))
+KETTLE_FLOWERS = {"front": (Emblem((0, -0.2), 0.4, "flower"),),
+                  "back": (Emblem((0, -0.2), 0.4, "flower"),), "deep": 0.3}  # fmt: skip
+RACK_VENTS = {"front": (Cells((0.5, 0), (0.32, 0.92), (1, 16), (1, 0.36), 0.6),), "deep": 0.3}
+JUG_MARKS = {
+    "front": (*(Line(((-0.3, at), (-0.02 + 0.14 * (k % 2), at)), 0.012)
+                for k, at in enumerate((-0.5, -0.26, -0.02, 0.22, 0.46, 0.7))),),
+    "deep": 0.1,
+}  # fmt: skip
+DRILL_VENTS = {
+    side: (Cells((0.5 * flip, 0), (0.3, 0.5), (5, 1), (0.45, 1), 0.8),
+           Plate((-0.3 * flip, 0), (0.3, 0.16), 0.9))
+    for side, flip in (("front", 1), ("back", -1))
+}  # fmt: skip
+
+
+def gauge(points: Points, half: Half, up: float, size: Pair, count: int = 7) -> Margin:
+    """Strokes along a half round dial on a front: the height of its middle in halves, and from
+    which to which radius they go, in halves of the width."""
+    x, z = points[:, 0], points[:, 2] - up * half[2]
+    step = math.pi / (count + 1)
+    turn = torch.atan2(x, z) / step
+    nearest, away = turn.round().clamp(-(count // 2), count // 2), torch.hypot(x, z)
+    across = away * ((turn - nearest) * step).sin().abs()
+    low, high = size[0] * half[0], size[1] * half[0]
+    return all_of(0.012 - across, away - low, high - away, in_front(points), z)
+
+
+def leaning(points: Points, degrees: float) -> Points:
+    """Places on what looks up to the front, as if it looked straight up."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    x, y, z = points.unbind(1)
+    return torch.stack([x, c * y - s * z, s * y + c * z], 1)
+
+
+def dish_seams(points: Points, half: Half, lean: float = 44.0, count: int = 8) -> Margin:
+    """Of a dish that looks up to the front: lines outwards, and a ring."""
+    x, y, _ = leaning(points, -lean).unbind(1)
+    away, step = torch.hypot(x, y), math.tau / count
+    turn = torch.atan2(x, y) / step + 0.5
+    across = away * ((turn - turn.round()) * step).sin().abs()
+    spoke = all_of(0.012 - across, away - 0.3 * half[0], 0.96 * half[0] - away)
+    ring = 0.012 - torch.minimum((away - 0.3 * half[0]).abs(), (away - 0.64 * half[0]).abs())
+    return any_of(spoke, ring)
+
+
+def sidewall(points: Points, half: Half, text: str, radius: float, high: float) -> Margin:
+    """A text twice about the faces of a tyre, which looks to the front; in halves of its height."""
+    x, z = points[:, 0] * -points[:, 1].sign(), points[:, 2]
+    size = high * float(half[2])
+    margins = []
+    for sign in (1, -1):
+        around = torch.atan2(sign * x, sign * z) * radius * float(half[2])
+        up = torch.hypot(x, z) - radius * float(half[2])
+        margins.append(lettering(torch.stack([around, up], 1) / size, text) + 0.05)
+    return all_of(any_of(*margins) * size, points[:, 1].abs() - 0.5 * half[1])
+
+
+BOXED = on_four(Plate((0, 0), (0.8, 0.84), 0.1, 0.012))
