@@ -8,7 +8,15 @@ from collections.abc import Sequence
 
 import torch
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+    within,
+)
 from core.guidance.builtin.markings.outlines import (
     Cells,
     Disc,
@@ -23,6 +31,8 @@ from core.guidance.builtin.markings.stencils import lettering
 
 INVADER = ("..X..X..", "...XX...", "..XXXX..", ".XX..XX.", "XXXXXXXX", "X.XXXX.X", "X......X",
            "..X..X..")  # fmt: skip
+ARROW = ((-0.62, -0.62), (0.3, -0.62), (0.3, -0.84), (0.72, -0.46), (0.3, -0.08), (0.3, -0.3),
+         (-0.44, -0.3))  # fmt: skip
 SHIP = ("...XX...", "..XXXX..", "XXXXXXXX", "XXXXXXXX")
 
 
@@ -97,8 +107,14 @@ JEEP_GRILLE = {
               Plate((0, -0.82), (0.8, 0.1), 0.5)),
     "deep": 0.7,
 }  # fmt: skip
-_ROUNDEL = lambda at, size: (Disc(at, size, 0.014), Emblem(at, size * 0.86, "star"))  # noqa: E731
-JEEP_STARS = {"top": _ROUNDEL((0, -0.66), 0.3), "sides": _ROUNDEL((0.02, 0.1), 0.5),
+
+
+def _roundel(at: Pair, size: float) -> tuple[Outline, ...]:
+    """A star in a ring."""
+    return Disc(at, size, 0.014), Emblem(at, 0.86 * size, "star")
+
+
+JEEP_STARS = {"top": _roundel((0, -0.66), 0.3), "sides": _roundel((0.02, 0.1), 0.5),
               "deep": 0.4, "aside": 0.5}  # fmt: skip
 TRAM_WINDOWS = {
     "front": (Plate((0, 0.27), (0.76, 0.38), 0.2),),
@@ -133,7 +149,6 @@ CONSOLE_PIXELS = {
     "front": (*sprite(INVADER, (0, 0.22), (0.085, 0.085)), *sprite(SHIP, (0, -0.7), (0.06, 0.05))),
     "deep": -9.0,
 }
-CONSOLE_LAMP = {"front": (Disc((-0.88, 0.16), 0.055),), "deep": -9.0}
 KEY_LETTERS = {
     "top": tuple(
         Emblem(((c + first - 2.5) * 0.308, row * 0.442), 0.088, text=letter)
@@ -203,7 +218,8 @@ DUMPER_TRIM = {
 }  # fmt: skip
 CART_LAMPS = {"front": (Disc((0.66, 0.16), 0.27, twice=True),), "deep": 0.4}
 CART_TRIM = {
-    "front": (Disc((0.66, 0.16), 0.37, twice=True), Cells((0, 0.16), (0.38, 0.24), (1, 3), (1, 0.46), 0.8),
+    "front": (Disc((0.66, 0.16), 0.37, twice=True),
+              Cells((0, 0.16), (0.38, 0.24), (1, 3), (1, 0.46), 0.8),
               Plate((0, -0.74), (1.2, 0.24))),
     "back": (Plate((0, -0.74), (1.2, 0.24)),),
     "sides": (Plate((0.0, -0.84), (0.36, 0.16)), Plate((-1, -0.74), (0.1, 0.24)),
@@ -229,34 +245,26 @@ SKI_TRIM = {
 }  # fmt: skip
 SADDLE_RIBS = tuple((at, at + 0.07) for at in (-0.75, -0.55, -0.35, 0.15, 0.35, 0.55, 0.75))
 ROVER_FOIL = on_four(Cells((0, 0), (0.9, 0.8), (3, 1), (0.86, 1), 0.1)) | {"deep": 0.7}
-BALLOON_RIM = ((-2.0, -0.86), (-0.02, 0.14))
-SKULL = {"front": (Emblem((0, 0), 0.52, "skull"),), "deep": 0.1}
-KETTLE_BANDS = ((-2.0, -0.82), (0.34, 0.42))
-KETTLE_FLOWERS = {"front": (Emblem((0, -0.2), 0.4, "flower"),),
-                  "back": (Emblem((0, -0.2), 0.4, "flower"),), "deep": 0.3}  # fmt: skip
-RACK_VENTS = {"front": (Cells((0.5, 0), (0.32, 0.92), (1, 16), (1, 0.36), 0.6),), "deep": 0.3}
-JUG_MARKS = {
-    "front": (*(Line(((-0.3, at), (-0.02 + 0.14 * (k % 2), at)), 0.012)
-                for k, at in enumerate((-0.5, -0.26, -0.02, 0.22, 0.46, 0.7))),),
-    "deep": 0.1,
-}  # fmt: skip
-DRILL_VENTS = {
-    side: (Cells((0.5 * flip, 0), (0.3, 0.5), (5, 1), (0.45, 1), 0.8),
-           Plate((-0.3 * flip, 0), (0.3, 0.16), 0.9))
-    for side, flip in (("front", 1), ("back", -1))
-}  # fmt: skip
 
 
-def gauge(points: Points, half: Half, up: float, size: Pair, count: int = 7) -> Margin:
-    """Strokes along a half round dial on a front: the height of its middle in halves, and from
-    which to which radius they go, in halves of the width."""
-    x, z = points[:, 0], points[:, 2] - up * half[2]
+def meter_marks(points: Points, half: Half, count: int = 7) -> Margin:
+    """Strokes along the half round window of a parking meter, by its head."""
+    x, z = points[:, 0], points[:, 2] - (half[2] - half[0])
     step = math.pi / (count + 1)
     turn = torch.atan2(x, z) / step
     nearest, away = turn.round().clamp(-(count // 2), count // 2), torch.hypot(x, z)
     across = away * ((turn - nearest) * step).sin().abs()
-    low, high = size[0] * half[0], size[1] * half[0]
-    return all_of(0.012 - across, away - low, high - away, in_front(points), z)
+    reach = all_of(away - 0.46 * half[0], 0.64 * half[0] - away)
+    return all_of(0.012 - across, reach, in_front(points), z)
+
+
+def lying_flutes(points: Points, half: Half, count: int) -> Margin:
+    """Grooves along the head of a torch, which looks to the front."""
+    x, y, z = points.unbind(1)
+    turn = torch.atan2(x, z) * (count / math.tau)
+    away = torch.hypot(x, z)
+    across = 0.02 - (turn - turn.round()).abs() * (math.tau / count) * away
+    return all_of(across, y + 0.5 * half[1], 0.9 * half[1] - y, away - 0.7 * half[0])
 
 
 def leaning(points: Points, degrees: float) -> Points:
@@ -277,16 +285,138 @@ def dish_seams(points: Points, half: Half, lean: float = 44.0, count: int = 8) -
     return any_of(spoke, ring)
 
 
-def sidewall(points: Points, half: Half, text: str, radius: float, high: float) -> Margin:
-    """A text twice about the faces of a tyre, which looks to the front; in halves of its height."""
-    x, z = points[:, 0] * -points[:, 1].sign(), points[:, 2]
-    size = high * float(half[2])
+def dots_about(
+    points: Points, half: Half, rows: Sequence[float], count: int, radius: float
+) -> Margin:
+    """Rows of dots about a pot, every other one moved by half a step; the radius in halves of its
+    width."""
+    x, y, z = points.unbind(1)
     margins = []
-    for sign in (1, -1):
-        around = torch.atan2(sign * x, sign * z) * radius * float(half[2])
-        up = torch.hypot(x, z) - radius * float(half[2])
-        margins.append(lettering(torch.stack([around, up], 1) / size, text) + 0.05)
-    return all_of(any_of(*margins) * size, points[:, 1].abs() - 0.5 * half[1])
+    for k, up in enumerate(rows):
+        turn = torch.atan2(x, -y) * (count / math.tau) + 0.5 * (k % 2)
+        side = (turn - turn.round()).abs() * (math.tau / count) * torch.hypot(x, y)
+        margins.append(radius * half[1] - torch.hypot(side, z - up * half[2]))
+    return any_of(*margins)
 
 
-BOXED = on_four(Plate((0, 0), (0.8, 0.84), 0.1, 0.012))
+def hoops_along(points: Points, half: Half, spans: Sequence[Pair]) -> Margin:
+    """About a tube that goes up to the front, from corner to corner of its box; in halves."""
+    long = torch.hypot(half[1], half[2])
+    at = (points[:, 2] * half[2] - points[:, 1] * half[1]) / long.square()
+    return any_of(*(torch.minimum(at - low, high - at) for low, high in spans)) * long
+
+
+def recycling(points: Points, half: Half, at: Sequence[Pair], size: float) -> Margin:
+    """Three arrows that follow one another in a triangle, on the front and on the back; places in
+    halves, the size in halves of the height."""
+    size, arrow = size * float(half[2]), points.new_tensor(ARROW)
+    margins = []
+    for u, v in at:
+        for sign in (1, -1):
+            x, z = sign * (points[:, 0] - u * half[0]) / size, points[:, 2] / size - v
+            out = -sign * points[:, 1] - 0.3 * half[1]
+            for k in range(3):
+                c, s = math.cos(k * math.tau / 3), math.sin(k * math.tau / 3)
+                turned = torch.stack([c * x - s * z, s * x + c * z], 1)
+                margins.append(all_of(within(turned, arrow) * size, out))
+    return any_of(*margins)
+
+
+def foot_stripes(points: Points, half: Half, count: int = 14) -> Margin:
+    """Slanted ones about the disc that something stands on, below a third of its height."""
+    x, y, z = points.unbind(1)
+    away = torch.hypot(x, y)
+    turn = (torch.atan2(x, -y) + 0.8 * z / half[0]) * (count / math.tau)
+    across = (0.25 - (turn - turn.round()).abs()) * (math.tau / count) * away
+    return all_of(across, -0.52 * half[2] - z, away - 0.86 * half[0])
+
+
+CONSOLE_SEAMS = {
+    "front": (Line(((-1.1, 0.93), (1.1, 0.93)), 0.01), Line(((-0.76, 1.1), (-0.76, 0.93)), 0.01),
+              Line(((0.76, 1.1), (0.76, 0.93)), 0.01)),
+    "back": (Plate((0, -0.42), (0.56, 0.36), 0.15, 0.011),
+             Cells((0, -0.16), (0.2, 0.05), (1, 3), (1, 0.4), 0.9),
+             Cells((0, 0.5), (0.6, 0.16), (1, 4), (1, 0.34), 0.9)),
+    "deep": 0.3,
+}  # fmt: skip
+PAD_GRIPS = {
+    "front": (
+        Poly(((0.3, -1.2), (1.3, -1.2), (1.3, 0.1), (0.84, 0.0), (0.52, -0.42)), twice=True),
+    ),
+    "deep": -9.0,
+}
+PAD_LOGO = {
+    "front": (Disc((0, 0.4), 0.17), Emblem((0, 0.4), 0.13, "lightning bolt", gap=True)),
+    "deep": -0.1,
+}
+PROJECTOR_VENTS = {
+    "back": (Cells((0, 0.1), (0.56, 0.42), (1, 5), (1, 0.42), 0.8),),
+    "sides": (Cells((0, 0), (0.6, 0.5), (1, 4), (1, 0.42), 0.8),),
+    "front": (Disc((0.86, 0.72), 0.12, twice=True), Disc((0.86, -0.72), 0.12, twice=True)),
+    "deep": 0.6,
+}
+CUP_BANDS = ((-0.36, -0.28), (0.06, 0.14), (0.48, 0.56))
+VACUUM_VENTS = {"back": (Cells((0, 0.1), (0.56, 0.3), (1, 6), (1, 0.4), 0.8),), "deep": -0.2}
+JUG_MARKS = {
+    "front": tuple(
+        Line(((-0.34, at), (-0.02 + 0.16 * (k % 2), at)), 0.013)
+        for k, at in enumerate((-0.6, -0.36, -0.12, 0.12, 0.36, 0.6))
+    ),
+    "deep": 0.1,
+}
+BLENDER_TRIM = ((-2.0, -0.76),)
+DRILL_VENTS = {
+    side: (Cells((0.56 * flip, 0), (0.28, 0.46), (5, 1), (0.45, 1), 0.8),)
+    for side, flip in (("front", 1), ("back", -1))
+}
+BATTERY_LETTERS = {side: (Emblem((0, 0.0), 0.42, text="18 V"),) for side in ("front", "back")}
+IRON_STRIPES = ((-0.62, -0.46), (-0.38, -0.32))
+IRON_PANES = {
+    side: (Poly(((-0.62 * flip, -0.12), (0.0, 0.24), (0.3 * flip, 0.24), (0.3 * flip, -0.12))),)
+    for side, flip in (("front", 1), ("back", -1))
+} | {"deep": 0.1}  # fmt: skip
+KETTLE_BANDS = ((-2.0, -0.84), (0.62, 0.72))
+FAN_BUTTONS = {
+    "top": (Disc((-0.36, -0.62), 0.1), Disc((0, -0.72), 0.1), Disc((0.36, -0.62), 0.1)),
+    "deep": -9.0,
+    "until": -0.5,
+}
+FAN_BADGE = {"front": (Disc((0, 0), 0.6),), "deep": 0.3}
+CAMERA_VENTS = {
+    "back": (Cells((0, 0.1), (0.5, 0.3), (1, 4), (1, 0.42), 0.8),
+             Disc((0.74, -0.5), 0.09, twice=True)),
+    "deep": 0.4,
+}  # fmt: skip
+TELESCOPE_RINGS = ((0.16, 0.2), (0.24, 0.26), (0.74, 0.78))
+TELESCOPE_STARS = {"sides": (Emblem((-0.44, 0.42), 0.2, "star"),), "aside": 0.2}
+METER_BADGE = {
+    "back": (Disc((0, 0.25), 0.62), Emblem((0, 0.25), 0.4, text="P", gap=True)),
+    "sides": (Plate((0, -0.3), (0.6, 0.5), 0.2, 0.012),),
+    "deep": 0.5,
+}
+CONTAINER_RIDGES = {
+    "top": (Cells((0, 0), (0.78, 0.9), (1, 13), (1, 0.46)),),
+    "back": (Cells((0, 0), (0.8, 0.76), (7, 1), (0.46, 1)),),
+    "deep": 0.8,
+}
+BULB = {"front": (Disc((0, 0), 0.34), Disc((0, 0), 0.66, 0.016)), "deep": -0.5}
+BALLOON_BELTS = ((-2.0, -0.84), (0.02, 0.26))
+PISTOL_GROOVES = {
+    side: (Cells((0.74 * flip, -0.06), (0.16, 0.7), (6, 1), (0.42, 1)),
+           Line(((-0.9 * flip, -0.5), (0.5 * flip, -0.5)), 0.009))
+    for side, flip in (("front", 1), ("back", -1))
+}  # fmt: skip
+PISTOL_PORT = {
+    side: (Plate((0.16 * flip, 0.12), (0.14, 0.3), 0.2),)
+    for side, flip in (("front", 1), ("back", -1))
+}
+PISTOL_RIDGES = {
+    side: (*(Line(((-2, at + 2 * tilt), (2, at - 2 * tilt)), 0.009)
+             for at in (-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75)
+             for tilt in (0.36, -0.36)),)
+    for side in ("front", "back")
+}  # fmt: skip
+BOMB_SKULL = {side: (Emblem((0, 0.06), 0.58, "skull"),) for side in ("front", "back")} | {
+    "deep": 0.1
+}
+TYRE_STRIPE = {side: (Disc((0, 0), 0.8, 0.018),) for side in ("front", "back")}

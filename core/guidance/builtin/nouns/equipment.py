@@ -78,6 +78,7 @@ EQUIPMENT_DEVICES = {
             "arms": "-4d545d . metal",
             "mast": "-7b828b . metal",
             "foot": "-5c636c . metal",
+            "seams": "~8f979f",
         },
         Usual(1.4, STEEL, 0.08),
     ),

@@ -234,6 +234,8 @@ ROADSIDE_MARKS = {
             "legs": "+6d5138 grain",
             "braces": "&866443 grain",
             "pipe": "-7d8389 . metal",
+            "seams": "~6e4626",
+            "ridges": "~5c2a1e",
         },
         Usual(16.0, WOOD, 0.11),
     ),

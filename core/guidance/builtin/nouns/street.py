@@ -24,6 +24,8 @@ STREET = {
             "plate": "-c9cdd0 . metal",
             "slot": "-1d1e20",
             "post": "+9aa0a6 . metal",
+            "marks": "-2a2f36",
+            "badge": "-f1f1ea . paint",
         },
         Usual(1.5, STEEL, 0.25),
     ),

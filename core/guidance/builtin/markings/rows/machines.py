@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.guidance.builtin.markings import fronts, machines, outlines
+from core.guidance.builtin.markings import balls, boards, craft, fronts, machines, outlines
 from core.guidance.builtin.markings.marking import Marking, Rows
 
 MACHINES: Rows = {
@@ -62,7 +62,7 @@ MACHINES: Rows = {
     },
     "game console": {
         "pixels": Marking("screen", partial(outlines.laid, **machines.CONSOLE_PIXELS)),
-        "lamp": Marking("bezel", partial(outlines.laid, **machines.CONSOLE_LAMP)),
+        "seams": Marking("body", partial(outlines.laid, **machines.CONSOLE_SEAMS)),
     },
     "keyboard": {
         "letters": Marking("keys", partial(outlines.laid, **machines.KEY_LETTERS), by="body"),
@@ -77,5 +77,93 @@ MACHINES: Rows = {
         "symbols": Marking(
             "accents", partial(outlines.laid, **machines.CALCULATOR_SYMBOLS), by="body"
         ),
+    },
+    "engine": {
+        "pleats": Marking("filter", partial(craft.flutes, count=26, share=0.4, high=0.9)),
+    },
+    "game controller": {
+        "logo": Marking("body", partial(outlines.laid, **machines.PAD_LOGO)),
+        "grips": Marking("body", partial(outlines.laid, **machines.PAD_GRIPS)),
+    },
+    "projector": {
+        "vents": Marking("body", partial(outlines.laid, **machines.PROJECTOR_VENTS)),
+    },
+    "vacuum cleaner": {
+        "bands": Marking("cup", partial(fronts.belts, spans=machines.CUP_BANDS)),
+        "vents": Marking("body", partial(outlines.laid, **machines.VACUUM_VENTS)),
+    },
+    "blender": {
+        "marks": Marking("jug", partial(outlines.laid, **machines.JUG_MARKS)),
+        "trim": Marking("base", partial(fronts.belts, spans=machines.BLENDER_TRIM)),
+    },
+    "power drill": {
+        "vents": Marking("body", partial(outlines.laid, **machines.DRILL_VENTS)),
+        "letters": Marking("battery", partial(outlines.laid, **machines.BATTERY_LETTERS)),
+    },
+    "clothes iron": {
+        "stripes": Marking("body", partial(fronts.belts, spans=machines.IRON_STRIPES)),
+        "panes": Marking("body", partial(outlines.laid, **machines.IRON_PANES)),
+    },
+    "kettle": {
+        "bands": Marking("body", partial(fronts.belts, spans=machines.KETTLE_BANDS)),
+        "dots": Marking(
+            "body", partial(machines.dots_about, rows=(-0.52, -0.14, 0.24), count=11, radius=0.1)
+        ),
+    },
+    "fan": {
+        "buttons": Marking("stand", partial(outlines.laid, **machines.FAN_BUTTONS)),
+        "badge": Marking("hub", partial(outlines.laid, **machines.FAN_BADGE)),
+    },
+    "security camera": {
+        "letters": Marking(
+            "hood", partial(fronts.on_sides, text="CCTV", high=0.24, at=(0.1, 0.12))
+        ),
+        "vents": Marking("body", partial(outlines.laid, **machines.CAMERA_VENTS)),
+    },
+    "telescope": {
+        "rings": Marking("tube", partial(machines.hoops_along, spans=machines.TELESCOPE_RINGS)),
+        "stars": Marking("tube", partial(outlines.laid, **machines.TELESCOPE_STARS)),
+    },
+    "parking meter": {
+        "marks": Marking("window", machines.meter_marks, by="head"),
+        "badge": Marking("head", partial(outlines.laid, **machines.METER_BADGE)),
+    },
+    "shipping container": {
+        "ridges": Marking("body", partial(outlines.laid, **machines.CONTAINER_RIDGES)),
+    },
+    "dumpster": {
+        "arrows": Marking(
+            "body", partial(machines.recycling, at=((-0.31, -0.05), (0.31, -0.05)), size=0.5)
+        ),
+    },
+    "flashlight": {
+        "bulb": Marking("lens", partial(outlines.laid, **machines.BULB)),
+        "flutes": Marking("head", partial(machines.lying_flutes, count=14)),
+    },
+    "water tower": {
+        "seams": Marking("tank", partial(boards.staves, count=18)),
+        "ridges": Marking("roof", partial(craft.spokes, count=12, wide=0.014, reach=(0.12, 2.0))),
+    },
+    "hot air balloon": {
+        "belts": Marking("balloon", partial(fronts.belts, spans=machines.BALLOON_BELTS)),
+        "panels": Marking("balloon", partial(balls.sectors, count=7)),
+        "weave": Marking("basket", partial(boards.weave, around=20, rows=6)),
+    },
+    "bomb": {
+        "skull": Marking("body", partial(outlines.laid, **machines.BOMB_SKULL)),
+    },
+    "pistol": {
+        "grooves": Marking("barrel", partial(outlines.laid, **machines.PISTOL_GROOVES)),
+        "port": Marking("barrel", partial(outlines.laid, **machines.PISTOL_PORT)),
+        "ridges": Marking("grip", partial(outlines.laid, **machines.PISTOL_RIDGES)),
+    },
+    "wheel": {
+        "stripe": Marking("tyre", partial(outlines.laid, **machines.TYRE_STRIPE)),
+    },
+    "robot arm": {
+        "stripes": Marking("base", machines.foot_stripes),
+    },
+    "satellite dish": {
+        "seams": Marking("dish", machines.dish_seams),
     },
 }
