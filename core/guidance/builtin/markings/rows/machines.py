@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from core.guidance.builtin.markings import balls, boards, craft, fronts, machines, outlines
+from core.guidance.builtin.markings import balls, boards, craft, devices, fronts, machines, outlines
 from core.guidance.builtin.markings.marking import Marking, Rows
 
 MACHINES: Rows = {
@@ -13,13 +13,13 @@ MACHINES: Rows = {
         "seams": Marking("body", partial(outlines.laid, **machines.BOOTH_SEAMS)),
     },
     "arcade machine": {
-        "marquee": Marking("body", partial(outlines.laid, **machines.ARCADE_MARQUEE)),
-        "pixels": Marking("screen", partial(outlines.laid, **machines.ARCADE_PIXELS)),
-        "stripes": Marking("body", partial(outlines.laid, **machines.ARCADE_STRIPES)),
+        "marquee": Marking("body", partial(outlines.laid, **devices.ARCADE_MARQUEE)),
+        "pixels": Marking("screen", partial(outlines.laid, **devices.ARCADE_PIXELS)),
+        "stripes": Marking("body", partial(outlines.laid, **devices.ARCADE_STRIPES)),
     },
     "slot machine": {
-        "sevens": Marking("reels", machines.reel_sevens),
-        "badges": Marking("cabinet", partial(outlines.laid, **machines.SLOT_BADGES)),
+        "sevens": Marking("reels", devices.reel_sevens),
+        "badges": Marking("cabinet", partial(outlines.laid, **devices.SLOT_BADGES)),
     },
     "jeep": {
         "grille": Marking("body", partial(outlines.laid, **machines.JEEP_GRILLE)),
@@ -57,76 +57,74 @@ MACHINES: Rows = {
         "stripe": Marking("body", partial(fronts.belt, low=-0.62, high=-0.28)),
     },
     "desktop computer": {
-        "letters": Marking("screen", partial(outlines.laid, **machines.COMPUTER_LETTERS)),
-        "vents": Marking("body", partial(outlines.laid, **machines.COMPUTER_VENTS)),
+        "letters": Marking("screen", partial(outlines.laid, **devices.COMPUTER_LETTERS)),
+        "vents": Marking("body", partial(outlines.laid, **devices.COMPUTER_VENTS)),
     },
     "game console": {
-        "pixels": Marking("screen", partial(outlines.laid, **machines.CONSOLE_PIXELS)),
-        "seams": Marking("body", partial(outlines.laid, **machines.CONSOLE_SEAMS)),
+        "pixels": Marking("screen", partial(outlines.laid, **devices.CONSOLE_PIXELS)),
+        "seams": Marking("body", partial(outlines.laid, **devices.CONSOLE_SEAMS)),
     },
     "keyboard": {
-        "letters": Marking("keys", partial(outlines.laid, **machines.KEY_LETTERS), by="body"),
+        "letters": Marking("keys", partial(outlines.laid, **devices.KEY_LETTERS), by="body"),
     },
     "calculator": {
         "digits": Marking(
-            "display", partial(outlines.laid, **machines.CALCULATOR_DIGITS), by="body"
+            "display", partial(outlines.laid, **devices.CALCULATOR_DIGITS), by="body"
         ),
-        "numbers": Marking(
-            "keys", partial(outlines.laid, **machines.CALCULATOR_NUMBERS), by="body"
-        ),
+        "numbers": Marking("keys", partial(outlines.laid, **devices.CALCULATOR_NUMBERS), by="body"),
         "symbols": Marking(
-            "accents", partial(outlines.laid, **machines.CALCULATOR_SYMBOLS), by="body"
+            "accents", partial(outlines.laid, **devices.CALCULATOR_SYMBOLS), by="body"
         ),
     },
     "engine": {
         "pleats": Marking("filter", partial(craft.flutes, count=26, share=0.4, high=0.9)),
     },
     "game controller": {
-        "logo": Marking("body", partial(outlines.laid, **machines.PAD_LOGO)),
-        "grips": Marking("body", partial(outlines.laid, **machines.PAD_GRIPS)),
+        "logo": Marking("body", partial(outlines.laid, **devices.PAD_LOGO)),
+        "grips": Marking("body", partial(outlines.laid, **devices.PAD_GRIPS)),
     },
     "projector": {
-        "vents": Marking("body", partial(outlines.laid, **machines.PROJECTOR_VENTS)),
+        "vents": Marking("body", partial(outlines.laid, **devices.PROJECTOR_VENTS)),
     },
     "vacuum cleaner": {
-        "bands": Marking("cup", partial(fronts.belts, spans=machines.CUP_BANDS)),
-        "vents": Marking("body", partial(outlines.laid, **machines.VACUUM_VENTS)),
+        "bands": Marking("cup", partial(fronts.belts, spans=devices.CUP_BANDS)),
+        "vents": Marking("body", partial(outlines.laid, **devices.VACUUM_VENTS)),
     },
     "blender": {
-        "marks": Marking("jug", partial(outlines.laid, **machines.JUG_MARKS)),
-        "trim": Marking("base", partial(fronts.belts, spans=machines.BLENDER_TRIM)),
+        "marks": Marking("jug", partial(outlines.laid, **devices.JUG_MARKS)),
+        "trim": Marking("base", partial(fronts.belts, spans=devices.BLENDER_TRIM)),
     },
     "power drill": {
-        "vents": Marking("body", partial(outlines.laid, **machines.DRILL_VENTS)),
-        "letters": Marking("battery", partial(outlines.laid, **machines.BATTERY_LETTERS)),
+        "vents": Marking("body", partial(outlines.laid, **devices.DRILL_VENTS)),
+        "letters": Marking("battery", partial(outlines.laid, **devices.BATTERY_LETTERS)),
     },
     "clothes iron": {
-        "stripes": Marking("body", partial(fronts.belts, spans=machines.IRON_STRIPES)),
-        "panes": Marking("body", partial(outlines.laid, **machines.IRON_PANES)),
+        "stripes": Marking("body", partial(fronts.belts, spans=devices.IRON_STRIPES)),
+        "panes": Marking("body", partial(outlines.laid, **devices.IRON_PANES)),
     },
     "kettle": {
-        "bands": Marking("body", partial(fronts.belts, spans=machines.KETTLE_BANDS)),
+        "bands": Marking("body", partial(fronts.belts, spans=devices.KETTLE_BANDS)),
         "dots": Marking(
-            "body", partial(machines.dots_about, rows=(-0.52, -0.14, 0.24), count=11, radius=0.1)
+            "body", partial(devices.dots_about, rows=(-0.52, -0.14, 0.24), count=11, radius=0.1)
         ),
     },
     "fan": {
-        "buttons": Marking("stand", partial(outlines.laid, **machines.FAN_BUTTONS)),
-        "badge": Marking("hub", partial(outlines.laid, **machines.FAN_BADGE)),
+        "buttons": Marking("stand", partial(outlines.laid, **devices.FAN_BUTTONS)),
+        "badge": Marking("hub", partial(outlines.laid, **devices.FAN_BADGE)),
     },
     "security camera": {
         "letters": Marking(
             "hood", partial(fronts.on_sides, text="CCTV", high=0.24, at=(0.1, 0.12))
         ),
-        "vents": Marking("body", partial(outlines.laid, **machines.CAMERA_VENTS)),
+        "vents": Marking("body", partial(outlines.laid, **devices.CAMERA_VENTS)),
     },
     "telescope": {
-        "rings": Marking("tube", partial(machines.hoops_along, spans=machines.TELESCOPE_RINGS)),
-        "stars": Marking("tube", partial(outlines.laid, **machines.TELESCOPE_STARS)),
+        "rings": Marking("tube", partial(devices.hoops_along, spans=devices.TELESCOPE_RINGS)),
+        "stars": Marking("tube", partial(outlines.laid, **devices.TELESCOPE_STARS)),
     },
     "parking meter": {
-        "marks": Marking("window", machines.meter_marks, by="head"),
-        "badge": Marking("head", partial(outlines.laid, **machines.METER_BADGE)),
+        "marks": Marking("window", devices.meter_marks, by="head"),
+        "badge": Marking("head", partial(outlines.laid, **devices.METER_BADGE)),
     },
     "shipping container": {
         "ridges": Marking("body", partial(outlines.laid, **machines.CONTAINER_RIDGES)),
@@ -137,8 +135,8 @@ MACHINES: Rows = {
         ),
     },
     "flashlight": {
-        "bulb": Marking("lens", partial(outlines.laid, **machines.BULB)),
-        "flutes": Marking("head", partial(machines.lying_flutes, count=14)),
+        "bulb": Marking("lens", partial(outlines.laid, **devices.BULB)),
+        "flutes": Marking("head", partial(devices.lying_flutes, count=14)),
     },
     "water tower": {
         "seams": Marking("tank", partial(boards.staves, count=18)),
@@ -158,7 +156,7 @@ MACHINES: Rows = {
         "ridges": Marking("grip", partial(outlines.laid, **machines.PISTOL_RIDGES)),
     },
     "wheel": {
-        "stripe": Marking("tyre", partial(outlines.laid, **machines.TYRE_STRIPE)),
+        "stripe": Marking("tyre", partial(outlines.laid, **machines.TYRE_STRIPE), by="rim"),
     },
     "robot arm": {
         "stripes": Marking("base", machines.foot_stripes),
