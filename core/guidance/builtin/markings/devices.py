@@ -178,7 +178,7 @@ PAD_GRIPS = {
 }
 PAD_LOGO = {
     "front": (Disc((0, 0.64), 0.15), Emblem((0, 0.64), 0.11, "lightning bolt", gap=True)),
-    "deep": -0.1,
+    "deep": -0.35,
 }
 PROJECTOR_VENTS = {
     "back": (Cells((0, 0.1), (0.56, 0.42), (1, 5), (1, 0.42), 0.8),),
@@ -226,3 +226,7 @@ METER_BADGE = {
     "deep": 0.5,
 }
 BULB = {"front": (Disc((0, 0), 0.34), Disc((0, 0), 0.66, 0.016)), "deep": -0.5}
+MOUSE_GRIPS = {
+    "sides": (Cells((0.12, -0.12), (0.42, 0.34), (7, 1), (0.5, 1), 0.9),),
+    "aside": 0.5,
+}

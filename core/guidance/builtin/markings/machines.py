@@ -19,6 +19,7 @@ from core.guidance.builtin.markings.outlines import (
     Plate,
     Poly,
 )
+from core.guidance.builtin.markings.stencils import lettering
 
 ARROW = ((-0.62, -0.62), (0.3, -0.62), (0.3, -0.84), (0.72, -0.46), (0.3, -0.08), (0.3, -0.3),
          (-0.44, -0.3))  # fmt: skip
@@ -87,6 +88,17 @@ def dish_seams(points: Points, half: Half, lean: float = 44.0, count: int = 8) -
     return any_of(spoke, ring)
 
 
+def rib_letters(points: Points, half: Half, text: str = "CARGO") -> Margin:
+    """A letter on each of the ribs on both sides of a container, by its body."""
+    pitch, size = 0.392 * half[1], 0.2 * half[1]
+    along, up = points[:, 1] * points[:, 0].sign(), points[:, 2]
+    margins = []
+    for k, letter in enumerate(text):
+        away = along - (k - (len(text) - 1) / 2) * pitch
+        margins.append(lettering(torch.stack([away, up], 1) / size, letter) + 0.05)
+    return all_of(any_of(*margins) * size, points[:, 0].abs() - 0.7 * half[0])
+
+
 def recycling(points: Points, half: Half, at: Sequence[Pair], size: float) -> Margin:
     """Three arrows that follow one another in a triangle, on the front and on the back; places in
     halves, the size in halves of the height."""
@@ -109,7 +121,7 @@ def foot_stripes(points: Points, half: Half, count: int = 14) -> Margin:
     away = torch.hypot(x, y)
     turn = (torch.atan2(x, -y) + 0.8 * z / half[0]) * (count / math.tau)
     across = (0.25 - (turn - turn.round()).abs()) * (math.tau / count) * away
-    return all_of(across, -0.52 * half[2] - z, away - 0.86 * half[0])
+    return all_of(across, -0.52 * half[2] - z, away - 0.8 * half[0])
 
 
 BOOTH_LETTERS = on_four(Emblem((0, 0.837), 0.085, text="TELEPHONE")) | {"deep": 0.6}
@@ -135,7 +147,9 @@ TRAM_DOORS = {
               Line(((0.79, -0.42), (0.79, -0.88)), 0.009, twice=True)),
     "deep": 0.7,
 }  # fmt: skip
-TRAM_LAMPS = {side: (Disc((0.62, -0.78), 0.15, twice=True),) for side in ("front", "back")}
+TRAM_LAMPS = {side: (Disc((0.62, -0.76), 0.15, twice=True),) for side in ("front", "back")} | {
+    "deep": 0.2
+}
 TRAM_SIGN = {
     side: (Plate((0, 0.82), (0.6, 0.14), 0.4), Emblem((0, 0.82), 0.1, text="TRAM", gap=True))
     for side in ("front", "back")
@@ -201,4 +215,10 @@ PISTOL_RIDGES = {
 BOMB_SKULL = {side: (Emblem((0, 0.06), 0.58, "skull"),) for side in ("front", "back")} | {
     "deep": 0.1
 }
-TYRE_STRIPE = {side: (Disc((0, 0), 1.06, 0.02),) for side in ("front", "back")}
+TYRE_STRIPE = {side: (Disc((0, 0), 0.812, 0.02),) for side in ("front", "back")}
+RIFLE_PORT = {
+    side: (Plate((0.1 * flip, 0.3), (0.3, 0.2), 0.3), Disc((-0.66 * flip, 0.1), 0.2),
+           Disc((0.72 * flip, 0.1), 0.2))
+    for side, flip in (("front", 1), ("back", -1))
+}  # fmt: skip
+BUTT_BANDS = ((0.84, 2.0), (0.7, 0.75))

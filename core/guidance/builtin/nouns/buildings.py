@@ -280,6 +280,7 @@ BUILDINGS = {
             "doors": "&c24d22 . paint",
             "bars": "-c3c8cc . metal",
             "ridges": "~cc5526 . paint",
+            "letters": "-f3ede2 . paint",
         },
         Usual(6.1, STEEL, 0.008),
     ),

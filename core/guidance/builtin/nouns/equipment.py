@@ -25,6 +25,7 @@ EQUIPMENT_DEVICES = {
             "base": "-5a626e . plastic",
             "cable": "-2d3036 . rubber",
             "logo": "+3a6fd0 . plastic",
+            "grips": "-5a626e . rubber",
         },
         Usual(0.2, PLASTIC, 0.25),
     ),

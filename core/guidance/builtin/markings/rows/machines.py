@@ -127,6 +127,7 @@ MACHINES: Rows = {
         "badge": Marking("head", partial(outlines.laid, **devices.METER_BADGE)),
     },
     "shipping container": {
+        "letters": Marking("ribs", machines.rib_letters, by="body"),
         "ridges": Marking("body", partial(outlines.laid, **machines.CONTAINER_RIDGES)),
     },
     "dumpster": {
@@ -156,12 +157,19 @@ MACHINES: Rows = {
         "ridges": Marking("grip", partial(outlines.laid, **machines.PISTOL_RIDGES)),
     },
     "wheel": {
-        "stripe": Marking("tyre", partial(outlines.laid, **machines.TYRE_STRIPE), by="rim"),
+        "stripe": Marking("tyre", partial(outlines.laid, **machines.TYRE_STRIPE)),
     },
     "robot arm": {
         "stripes": Marking("base", machines.foot_stripes),
     },
     "satellite dish": {
         "seams": Marking("dish", machines.dish_seams),
+    },
+    "computer mouse": {
+        "grips": Marking("body", partial(outlines.laid, **devices.MOUSE_GRIPS)),
+    },
+    "rifle": {
+        "port": Marking("body", partial(outlines.laid, **machines.RIFLE_PORT)),
+        "bands": Marking("stock", partial(fronts.belts, spans=machines.BUTT_BANDS, axis=0)),
     },
 }
