@@ -29,12 +29,12 @@ BOWL = Height(-0.014, 0.05)
 
 BY_NAME = {
     RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets lamps lattice"
-    " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets"
+    " lenses lights links magnets marquee nails pickguard piping plaque ribs ridges rims rivets"
     " rungs shutters slats spines tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
     LOW: "beads blotter buttons coils hems land number_plates panels pocket pockets stitches",
-    SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
-    " racks reels screen slots vents window windows",
+    SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes port portholes"
+    " ports racks reels screen slots vents window windows",
     GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
     " scales scores seam seams signs",
     BOWL: "craters dimples pips",
@@ -50,6 +50,7 @@ BY_THING = {
     "church": {"cross": RAISED},
     "hay bale": {"lines": GROOVE},
     "lamp": {"bands": LOW},
+    "phone booth": {"sign": RAISED},
     "sarcophagus": {"bands": RAISED},
     "satellite": {"lines": GROOVE},
     "sneaker": {"lines": GROOVE},
@@ -57,6 +58,7 @@ BY_THING = {
     "speaker": {"rings": LOW},
     "tombstone": {"letters": GROOVE},
     "train": {"bands": RAISED},
+    "tram": {"sign": RAISED},
     "trophy": {"star": RAISED},
     "umbrella": {"panels": FLAT},
 }

@@ -7,5 +7,6 @@ from core.guidance.builtin.markings.rows.crafts import CRAFTS
 from core.guidance.builtin.markings.rows.everyday import EVERYDAY
 from core.guidance.builtin.markings.rows.household import HOUSEHOLD
 from core.guidance.builtin.markings.rows.living import LIVING
+from core.guidance.builtin.markings.rows.machines import MACHINES
 
-MARKINGS: Rows = EVERYDAY | BUILT | LIVING | BUILDINGS | CRAFTS | HOUSEHOLD
+MARKINGS: Rows = EVERYDAY | BUILT | LIVING | BUILDINGS | CRAFTS | HOUSEHOLD | MACHINES

@@ -48,7 +48,14 @@ AIRCRAFT = {
     ),
     "hot air balloon": Noun(
         "hot-air balloon, air balloon; montgolfier",
-        {"balloon": "*f1e3c2 hoops", "basket": "+9a6a38", "ropes": "-6b5334"},
+        {
+            "balloon": "*d8432f . fabric",
+            "basket": "+9a6a38",
+            "ropes": "-6b5334",
+            "belts": "+f0b429 . fabric",
+            "panels": "+f1e3c2 . fabric",
+            "weave": "~6e4522",
+        },
         Usual(25.0, FABRIC, 0.00069),
     ),
     "ufo": Noun(

@@ -76,6 +76,8 @@ ARMS = {
             "magazine": "+2b2d30 . metal",
             "scope": "+232528 . metal",
             "trigger": "-202225 . metal",
+            "port": "-1a1b1e . metal",
+            "bands": "-2a1a10 . rubber",
         },
         Usual(1.0, STEEL, 0.0105),
     ),

@@ -255,7 +255,14 @@ HOUSEHOLD = {
     ),
     "fan": Noun(
         "electric fan, standing fan; ventilator, desk fan, ceiling fan, exhaust fan",
-        {"blades": "+5aa0c8", "cage": "*d8dcdf", "hub": "-3a3e44", "stand": "&c2c8cc"},
+        {
+            "blades": "+5aa0c8",
+            "cage": "*d8dcdf",
+            "hub": "-3a3e44",
+            "stand": "&c2c8cc",
+            "buttons": "-e4572e",
+            "badge": "+5aa0c8",
+        },
         Usual(1.1, PLASTIC, 0.16),
     ),
     "picture frame": Noun(
@@ -294,6 +301,8 @@ HOUSEHOLD = {
             "spout": "*b8322c . paint",
             "handle": "+241f1d",
             "lid": "&a02a25 . paint",
+            "bands": "+f2e6cf . paint",
+            "dots": "+f2e6cf . paint",
         },
         Usual(0.25, STEEL, 0.04),
     ),
@@ -320,6 +329,8 @@ HOUSEHOLD = {
             "lid": "+2a2b2e",
             "collar": "&2a2b2e",
             "knob": "-c3c8cd . metal",
+            "marks": "-f4f8fa",
+            "trim": "-2a2b2e",
         },
         Usual(0.4, PLASTIC, 0.35),
     ),

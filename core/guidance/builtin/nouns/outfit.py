@@ -142,6 +142,7 @@ OUTFIT_PROPS = {
             "lid": "+c4cad0 . metal",
             "pulleys": "-2c2e34 . metal",
             "fan": "+f0b430 . paint",
+            "pleats": "~b8a884 . paint",
         },
         Usual(0.8, STEEL, 0.34),
     ),

@@ -183,7 +183,13 @@ PROPS = {
     ),
     "bomb": Noun(
         "; sea mine, naval mine, bob omb, cannonball, cannon ball",
-        {"body": "*232427", "cap": "&3a3c40 . metal", "fuse": "-c9b48a", "spark": "-ff9a1e"},
+        {
+            "body": "*232427",
+            "cap": "&3a3c40 . metal",
+            "fuse": "-c9b48a",
+            "spark": "-ff9a1e",
+            "skull": "-f4f2ea . paint",
+        },
         Usual(0.2, STEEL, 0.5),
     ),
     "hourglass": Noun(
@@ -341,6 +347,9 @@ PROPS = {
             "frame": "&33363a . metal",
             "grip": "+3a2a20",
             "trigger": "-202225 . metal",
+            "grooves": "~1c1d20 . metal",
+            "port": "-16171a . metal",
+            "ridges": "~1c130d . rubber",
         },
         Usual(0.2, STEEL, 0.4),
     ),

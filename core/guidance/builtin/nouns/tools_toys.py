@@ -303,6 +303,8 @@ TOOLS_AND_TOYS = {
             "lens": "-3f6f9a . glass",
             "tripod": "-8a5a2e grain",
             "mount": "-4a4d52 . metal",
+            "rings": "+e0b040 . golden",
+            "stars": "+2f5fae",
         },
         Usual(1.5, STEEL, 0.012),
     ),
