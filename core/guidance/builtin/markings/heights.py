@@ -28,14 +28,15 @@ SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
 BOWL = Height(-0.014, 0.05)
 
 BY_NAME = {
-    RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets lamps lattice"
-    " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets"
+    RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets gems hinges lamps lattice"
+    " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets rope"
     " rungs shutters slats spines tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
-    LOW: "beads blotter buttons coils hems land number_plates panels pocket pockets stitches",
-    SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
+    LOW: "beads blotter boards buttons carpet coils foam frieze hems land lock_plate number_plates panels pocket pockets runner"
+    " stitches",
+    SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
     " racks reels screen slots vents window windows",
-    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
+    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats quilting"
     " scales scores seam seams signs",
     BOWL: "craters dimples pips",
 }
@@ -44,17 +45,21 @@ BY_THING = {
     "bell": {"bands": RAISED},
     "book": {"lines": GROOVE},
     "bookshelf": {"bands": LOW, "labels": LOW},
+    "bridge": {"bands": GROOVE},
     "broom": {"lines": GROOVE},
     "camera": {"rings": GROOVE},
     "cannon": {"bands": RAISED},
     "church": {"cross": RAISED},
+    "fountain": {"tiles": LOW, "lines": GROOVE, "bands": GROOVE},
     "hay bale": {"lines": GROOVE},
     "lamp": {"bands": LOW},
     "sarcophagus": {"bands": RAISED},
     "satellite": {"lines": GROOVE},
     "sneaker": {"lines": GROOVE},
+    "shelf": {"bands": LOW},
     "space station": {"lines": GROOVE},
     "speaker": {"rings": LOW},
+    "stool": {"band": LOW},
     "tombstone": {"letters": GROOVE},
     "train": {"bands": RAISED},
     "trophy": {"star": RAISED},

@@ -204,6 +204,8 @@ ARMS = {
             "cross": "+d8a83c . golden",
             "handles": "+c79a3e . golden",
             "edge": "&5a3a20 grain",
+            "nails": "-d8a83c . golden",
+            "seams": "~2c1b0e",
         },
         Usual(2.1, WOOD, 0.04),
     ),

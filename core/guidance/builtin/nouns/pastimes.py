@@ -96,6 +96,8 @@ PASTIME_SPORT = {
             "balls": "-cf2620 . plastic",
             "cue ball": "-f6f2e4 . plastic",
             "cue": "-dcae6a grain",
+            "sights": "-f6f2e4",
+            "lines": "-f0f4ea",
         },
         Usual(2.6, WOOD, 0.25),
     ),

@@ -1,0 +1,131 @@
+"""What is of the home, and what is eaten, worn or wielded."""
+
+from functools import partial
+
+from core.guidance.builtin.markings import (
+    boards,
+    facades,
+    fittings,
+    fronts,
+    homely,
+    outlines,
+)
+from core.guidance.builtin.markings.marking import Marking, Rows
+
+HOMELY: Rows = {
+    "door": {
+        "trim": Marking("panels", homely.door_trim),
+        "keyhole": Marking("lock plate", partial(outlines.laid, **homely.DOOR_KEYHOLE)),
+        "lock plate": Marking("door", partial(outlines.laid, **homely.DOOR_LOCK)),
+        "hinges": Marking("door", partial(outlines.laid, **homely.DOOR_HINGES)),
+    },
+    "well": {
+        "boards": Marking("roof", partial(outlines.laid, **homely.WELL_GABLE)),
+        "seams": Marking("roof", partial(facades.tiles, axis=1)),
+        "rope": Marking("posts", partial(homely.coil, reach=0.4)),
+    },
+    "mirror": {
+        "gems": Marking("frame", partial(outlines.laid, **homely.MIRROR_GEMS)),
+        "backing": Marking("frame", partial(outlines.laid, **homely.MIRROR_BACK)),
+        "glare": Marking("glass", fittings.glare),
+    },
+    "throne": {
+        "buttons": Marking("cushion", partial(outlines.laid, **homely.THRONE_BUTTONS)),
+        "gems": Marking("frame", partial(outlines.laid, **homely.THRONE_GEMS)),
+        "panels": Marking("frame", partial(outlines.laid, **homely.THRONE_PANELS)),
+        "border": Marking("step", partial(outlines.laid, **homely.THRONE_STEP)),
+    },
+    "coffin": {
+        "nails": Marking(
+            "lid", partial(homely.nailed, corners=homely.COFFIN_NAILS, count=5, size=0.055)
+        ),
+        "seams": Marking("edge", partial(outlines.laid, **homely.COFFIN_SEAMS)),
+    },
+    "toilet": {
+        "water": Marking(
+            "body", partial(homely.pool_water, size=(0.62, 0.56), at=-0.17, high=(0.2, 0.62))
+        ),
+        "seams": Marking("tank", partial(outlines.laid, **homely.TOILET_SEAMS)),
+        "hinges": Marking("seat", partial(outlines.laid, **homely.TOILET_HINGES)),
+    },
+    "bathtub": {
+        "foam": Marking("water", homely.foam),
+        "bands": Marking("body", partial(fronts.belts, spans=homely.BATH_BANDS)),
+    },
+    "sink": {
+        "drain": Marking(
+            "basin", partial(homely.pool_water, size=(0.1, 0.13), at=-0.1, high=(-0.9, 0.9))
+        ),
+        "seams": Marking("basin", partial(outlines.laid, **homely.SINK_PANEL)),
+        "bands": Marking("column", partial(fronts.belts, spans=homely.SINK_BANDS)),
+    },
+    "pool table": {
+        "sights": Marking("frame", partial(outlines.laid, **homely.POOL_SIGHTS)),
+        "lines": Marking("cloth", partial(outlines.laid, **homely.POOL_LINES)),
+    },
+    "chair": {
+        "seams": Marking("seat", partial(outlines.laid, **homely.CHAIR_SEAMS), "wooden"),
+    },
+    "stool": {
+        "band": Marking("seat", partial(fronts.belt, low=-0.55, high=0.05)),
+        "seams": Marking("seat", partial(outlines.laid, **homely.CHAIR_SEAMS), "wooden"),
+    },
+    "ottoman": {
+        "nails": Marking("base", partial(outlines.laid, **homely.OTTOMAN_NAILS)),
+        "piping": Marking("cushion", partial(fronts.belt, low=-0.5, high=-0.2)),
+    },
+    "coffee table": {
+        "seams": Marking("top", partial(outlines.laid, **homely.COFFEE_SEAMS), "wooden"),
+    },
+    "shelf": {
+        "bands": Marking("books", partial(fronts.belts, spans=homely.SHELF_BANDS), by="board"),
+        "volumes": Marking(
+            "books", partial(fronts.belts, spans=homely.SHELF_VOLUMES, axis=0), by="board"
+        ),
+        "tomes": Marking(
+            "books", partial(fronts.belts, spans=homely.SHELF_TOMES, axis=0), by="board"
+        ),
+        "stripes": Marking("vase", partial(fronts.belts, spans=homely.VASE_STRIPES)),
+    },
+    "four-poster bed": {
+        "trim": Marking("canopy", partial(fronts.belts, spans=homely.BED_TRIM)),
+        "quilting": Marking("blanket", partial(homely.quilt, pitch=0.12)),
+    },
+    "crib": {
+        "hearts": Marking("frame", partial(outlines.laid, **homely.CRIB_HEARTS)),
+        "stars": Marking("blanket", partial(outlines.laid, **homely.CRIB_STARS)),
+    },
+    "staircase": {
+        "carpet": Marking("treads", partial(homely.carpet, wide=0.56)),
+        "runner": Marking("body", partial(homely.carpet, wide=0.58, back=0.97)),
+        "panels": Marking("body", partial(outlines.laid, **homely.STAIR_PANELS)),
+    },
+    "market stall": {
+        "apples": Marking(
+            "fruit", partial(fronts.belts, spans=homely.STALL_APPLES, axis=0), by="shelf"
+        ),
+        "panels": Marking("counter", partial(outlines.laid, **homely.STALL_PANELS)),
+    },
+    "temple": {
+        "frieze": Marking("beam", partial(outlines.laid, **homely.TEMPLE_FRIEZE)),
+        "seams": Marking("roof", partial(facades.tiles, axis=1, pitch=(0.07, 0.12), wide=0.005)),
+    },
+    "bridge": {
+        "bands": Marking("posts", partial(fronts.belts, spans=homely.POST_BANDS)),
+        "joints": Marking("road", partial(boards.planks, count=16, axis=0, wide=0.01)),
+    },
+    "fountain": {
+        "tiles": Marking("basin", partial(homely.mosaic, spans=homely.BASIN_TILES, count=36)),
+        "lines": Marking("bowl", partial(fronts.belts, spans=homely.BOWL_LINES)),
+        "bands": Marking("column", partial(fronts.belts, spans=homely.COLUMN_BANDS)),
+    },
+    "hut": {
+        "zigzags": Marking(
+            "walls", partial(homely.zigzags, at=0.0, count=16, high=0.13, wide=0.022)
+        ),
+    },
+    "gate": {
+        "plaque": Marking("piers", partial(outlines.laid, **homely.PIER_PLAQUE), paired=True),
+        "joints": Marking("piers", partial(facades.courses, pitch=(0.16, 0.26)), paired=True),
+    },
+}
