@@ -28,16 +28,16 @@ SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
 BOWL = Height(-0.014, 0.05)
 
 BY_NAME = {
-    RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets gems hinges lamps lattice"
-    " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets rope"
-    " rungs shutters slats spines tail_lamps trim wraps zips",
+    RAISED: "badges bars belt bolts buckle camera caps cells collar cords frets gems hinges"
+    " lamps lattice lenses lights links magnets nails pickguard piping plaque ribs"
+    " ridges rims rivets rope rungs shutters slats spines tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
-    LOW: "beads blotter boards buttons carpet coils foam frieze hems land lock_plate number_plates panels pocket pockets runner"
-    " stitches",
-    SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
-    " racks reels screen slots vents window windows",
-    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats quilting"
-    " scales scores seam seams signs",
+    LOW: "beads blotter boards buttons carpet coils foam frieze hems land lock_plate"
+    " number_plates panels pocket pockets runner stitches",
+    SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes"
+    " portholes ports racks reels screen slots vents window windows",
+    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
+    " quilting scales scores seam seams signs",
     BOWL: "craters dimples pips",
 }
 BY_THING = {

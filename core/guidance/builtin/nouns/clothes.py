@@ -196,6 +196,8 @@ CLOTHES = {
             "stripe": "-f2f0ea . fabric",
             "star": "&c8922a . golden",
             "rim": "&c8922a . golden",
+            "beads": "&c8922a . golden",
+            "edges": "-f2f0ea . fabric",
         },
         Usual(0.14, GOLD, 0.043),
     ),

@@ -51,6 +51,8 @@ EVERYDAY_FOOD = {
             "wrapper": "*8a1f2c",
             "label": "+f1dfb4",
             "bands": "+d8a83c . golden",
+            "letters": "-5a2f1a",
+            "border": "+d8a83c . golden",
         },
         Usual(0.16, 1300.0, 0.2),
     ),

@@ -112,6 +112,8 @@ PASTIME_TOOLS = {
             "cymbals": "-e2b043 . golden",
             "stands": "-7d838a . metal",
             "badge": "+1e1f23 . paint",
+            "star": "-f2c14a . golden",
+            "rings": "-b51f26 . paint",
         },
         Usual(1.9, WOOD, 0.035),
     ),

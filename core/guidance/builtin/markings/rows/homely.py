@@ -4,12 +4,15 @@ from functools import partial
 
 from core.guidance.builtin.markings import (
     boards,
+    craft,
+    decor,
     facades,
     fittings,
     fronts,
     homely,
     outlines,
 )
+from core.guidance.builtin.markings.margins import blobs
 from core.guidance.builtin.markings.marking import Marking, Rows
 
 HOMELY: Rows = {
@@ -127,5 +130,75 @@ HOMELY: Rows = {
     "gate": {
         "plaque": Marking("piers", partial(outlines.laid, **homely.PIER_PLAQUE), paired=True),
         "joints": Marking("piers", partial(facades.courses, pitch=(0.16, 0.26)), paired=True),
+    },
+    "cake": {
+        "sprinkles": Marking("icing", homely.sprinkles),
+        "cream": Marking("body", partial(fronts.belts, spans=homely.CAKE_CREAM)),
+    },
+    "cookie": {
+        "dimples": Marking("body", partial(blobs, pitch=0.16, sizes=(0.016, 0.034), share=0.6)),
+    },
+    "cheese": {"label": Marking("rind", partial(outlines.laid, **homely.RIND_LABEL))},
+    "pizza": {
+        "specks": Marking("salami", partial(blobs, pitch=0.07, sizes=(0.009, 0.017), share=0.55)),
+        "basil": Marking("cheese", partial(outlines.laid, **homely.BASIL)),
+        "spots": Marking("cheese", partial(blobs, pitch=0.18, sizes=(0.02, 0.05), share=0.4)),
+    },
+    "sandwich": {
+        "grill marks": Marking("bread", partial(homely.grill_marks, high=0.235), by="cheese"),
+    },
+    "ice cream": {
+        "sprinkles": Marking("sauce", partial(homely.sprinkles, pitch=0.085)),
+        "sauce": Marking("scoop", homely.sauce),
+    },
+    "chocolate bar": {
+        "letters": Marking("label", partial(outlines.laid, **homely.WRAPPER_NAME)),
+        "border": Marking("wrapper", partial(outlines.laid, **homely.WRAPPER_BORDER)),
+    },
+    "pie": {
+        "bands": Marking("dish", partial(fronts.belts, spans=homely.DISH_BANDS)),
+        "flutes": Marking("dish", partial(craft.flutes, count=28, share=0.2, high=0.9)),
+    },
+    "mushroom": {
+        "gills": Marking("underside", homely.gills),
+        "underside": Marking("cap", homely.underside),
+    },
+    "pencil": {
+        "letters": Marking("body", partial(homely.written_up, text="HB 2", high=0.95, at=0.4)),
+        "rings": Marking("body", partial(fronts.belts, spans=homely.PENCIL_RINGS)),
+        "bands": Marking("ferrule", partial(fronts.belts, spans=homely.FERRULE_BANDS)),
+    },
+    "lipstick": {
+        "monogram": Marking("case", partial(outlines.laid, **homely.MONOGRAM)),
+        "lines": Marking("case", partial(fronts.belts, spans=homely.CASE_LINES)),
+        "grooves": Marking("tube", partial(fronts.belts, spans=homely.TUBE_GROOVES)),
+    },
+    "perfume": {
+        "monogram": Marking("label", partial(outlines.laid, **homely.LABEL_FLOWER)),
+        "border": Marking("label", partial(outlines.laid, **homely.LABEL_EDGE)),
+        "grooves": Marking("collar", partial(fronts.belts, spans=homely.COLLAR_GROOVES)),
+    },
+    "drum kit": {
+        "star": Marking("badge", partial(outlines.laid, **homely.BADGE_STAR)),
+        "rings": Marking("skins", partial(fronts.rim, low=0.8, high=0.88)),
+    },
+    "saw": {"letters": Marking("blade", partial(outlines.laid, **homely.SAW_NAME))},
+    "knife": {
+        "edge": Marking("blade", partial(homely.through, corners=homely.KNIFE_EDGE)),
+        "bolster": Marking("handle", partial(fronts.belt, low=0.8, high=1.2)),
+    },
+    "hammer": {
+        "ridges": Marking("grip", partial(fronts.belts, spans=homely.HAMMER_RIDGES)),
+        "grip": Marking("handle", partial(fronts.belt, low=-1.2, high=-0.16)),
+        "bands": Marking("head", partial(fronts.belts, spans=homely.HAMMER_BANDS, axis=0)),
+    },
+    "war hammer": {"runes": Marking("head", partial(outlines.laid, **homely.RUNES))},
+    "medal": {
+        "beads": Marking("medal", partial(decor.beads, radius=0.74, size=0.05, count=24)),
+        "edges": Marking("ribbon", partial(outlines.laid, **homely.RIBBON_EDGES)),
+    },
+    "ring": {
+        "stones": Marking("band", partial(homely.studs, count=20, size=0.05, axis=1)),
+        "grooves": Marking("band", partial(fronts.belts, spans=homely.RING_GROOVES, axis=1)),
     },
 }
