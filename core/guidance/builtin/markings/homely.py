@@ -157,15 +157,22 @@ def written_up(
 
 
 def studs(
-    points: Points, half: Half, count: int, size: float, at: float = 0.0, axis: int = 2
+    points: Points,
+    half: Half,
+    count: int,
+    size: float,
+    at: float = 0.0,
+    axis: int = 2,
+    out: float = 0.0,
 ) -> Margin:
-    """Round heads in a ring about an axis, their place along it in halves; the radius in training
-    units."""
+    """Round heads in a ring about an axis, their place along it and how far ``out`` they begin in
+    halves; the radius in training units."""
     one, other = (k for k in range(3) if k != axis)
     u, v = points[:, one] / half[one], points[:, other] / half[other]
     turn = torch.atan2(u, -v) * (count / math.tau)
-    away = (turn - turn.round()) * (math.tau / count) * points[:, [one, other]].norm(dim=1)
-    return size - torch.hypot(away, points[:, axis] - at * half[axis])
+    across = (turn - turn.round()) * (math.tau / count) * points[:, [one, other]].norm(dim=1)
+    head = size - torch.hypot(across, points[:, axis] - at * half[axis])
+    return all_of(head, (torch.hypot(u, v) - out) * half[one])
 
 
 def through(points: Points, half: Half, corners: Sequence[Pair]) -> Margin:
@@ -225,8 +232,8 @@ _GABLE = (
 )
 WELL_GABLE = {"front": _GABLE, "back": _GABLE, "deep": 0.9}
 MIRROR_GEMS = {
-    "front": (Emblem((0, 0.93), 0.1, "diamond"), Emblem((0, -0.93), 0.1, "diamond"),
-              Emblem((0.865, 0), 0.1, "diamond", twice=True)),
+    "front": (Emblem((0, 0.93), 0.12, "diamond"), Emblem((0, -0.93), 0.12, "diamond"),
+              Emblem((0.865, 0), 0.12, "diamond", twice=True)),
     "deep": -0.5,
 }  # fmt: skip
 MIRROR_BACK = {
@@ -369,8 +376,8 @@ LABEL_EDGE = {"front": (Plate((0, 0), (0.84, 0.84), 0.9, 0.01),), "deep": -0.2}
 COLLAR_GROOVES = ((-0.4, -0.3), (0.0, 0.1), (0.4, 0.5))
 BADGE_STAR = {"front": (Emblem((0, 0), 0.66, "star"),), "deep": 0.0}
 SAW_NAME = {
-    side: (Emblem((0.06 * sign, 0.12), 0.3, text="F3D"),
-           Line(((-0.62 * sign, 0.08), (-0.2 * sign, 0.12)), 0.012))
+    side: (Emblem((0.16 * sign, 0.12), 0.3, text="F3D"),
+           Line(((-0.7 * sign, 0.06), (-0.36 * sign, 0.1)), 0.012))
     for side, sign in (("front", 1), ("back", -1))
 }  # fmt: skip
 KNIFE_EDGE = ((-1.3, -1.0), (-0.55, -1.0), (-0.5, -0.1), (-0.25, 0.4), (0.3, 0.9), (0.3, 1.2),
@@ -384,3 +391,68 @@ RIBBON_EDGES = {side: (Plate((0.84, 0), (0.07, 3), twice=True),) for side in ("f
     "deep": -1.0
 }
 RING_GROOVES = ((-0.7, -0.54), (0.54, 0.7))
+GLOVE_MOTIF = {
+    "front": (Emblem((-0.12, -0.14), 0.42, "snowflake"),),
+    "back": (Emblem((0.12, -0.14), 0.42, "snowflake"),),
+    "deep": -1.0,
+}
+CUFF_RIBS = {
+    side: (Cells((0, 0), (1.0, 1.2), (11, 1), (0.36, 1)),) for side in ("front", "back")
+} | {"deep": 0.3}
+FLAP_PIPING = {
+    "front": (Line(((-0.86, 1.2), (-0.86, -0.42), (0, -0.78), (0.86, -0.42), (0.86, 1.2)), 0.014),),
+    "deep": -1.0,
+}
+HAT_BUCKLE = {"front": (Plate((0, 0), (0.24, 0.74), 0.2, 0.022),), "deep": 0.3}
+SHERIFF_STAR = {
+    "front": (Emblem((0, 0.42), 0.36, "star"), Disc((0, 0.42), 0.1, gap=True)),
+    "deep": 0.0,
+    "until": 0.8,
+}
+BOXING_STAR = {
+    "front": (Emblem((-0.16, 0.2), 0.36, "star"),),
+    "back": (Emblem((0, 0.1), 0.36, "star"),),
+    "deep": 0.2,
+}
+BAND_TEXT = {
+    "front": (Emblem((0, 0), 0.7, text="BOX"),),
+    "back": (Emblem((0, 0), 0.7, text="BOX"),),
+    "deep": 0.3,
+}
+SKATE_STRIPES = {
+    "sides": tuple(
+        Poly(((at, -0.9), (at + 0.14, -0.9), (at + 0.44, 0.36), (at + 0.3, 0.36)))
+        for at in (-0.42, -0.12)
+    ),
+    "aside": 0.2,
+}
+SKATE_STAR = {"sides": (Emblem((0.56, 0.3), 0.5, "star"),), "aside": 0.2}
+SADDLE_FLOWERS = {
+    "sides": (Emblem((0.0, -0.5), 0.3, "flower"), Emblem((0.0, 0.1), 0.2, "flower")),
+    "aside": 0.6,
+}
+SADDLE_EDGE = {
+    "sides": (Line(((-0.8, 0.2), (-0.66, -0.5), (-0.4, -0.84), (0.5, -0.84), (0.72, -0.5),
+                    (0.86, 0.2)), 0.014),),
+    "aside": 0.5,
+}  # fmt: skip
+TEDDY_MOUTH = {
+    "front": (
+        Line(((0, 0.3), (0, 0.21)), 0.011),
+        Line(((0, 0.21), (0.05, 0.17), (0.11, 0.19)), 0.011, twice=True),
+    ),
+    "deep": 0.0,
+}
+TEDDY_EARS = {"front": (Disc((0.41, 0.82), 0.125, twice=True),), "deep": -0.4}
+TEDDY_PAWS = {"front": (Emblem((0.48, -0.745), 0.11, "paw print", twice=True),), "deep": 0.6}
+TEDDY_STITCHES = {
+    "front": (Cells((0, -0.36), (0.008, 0.24), (1, 7), (1, 0.5)),
+              Cells((0, -0.36), (0.04, 0.24), (1, 7), (1, 0.16))),
+    "deep": 0.0,
+    "until": 0.85,
+}  # fmt: skip
+BUCKET_BANDS = ((0.44, 0.6), (-0.62, -0.46))
+TUB_BANDS = ((-0.5, -0.2),)
+PIN_RING = {
+    side: (Disc((0, 0), 0.72, 0.02), Emblem((0, 0), 0.44, "star")) for side in ("front", "back")
+}

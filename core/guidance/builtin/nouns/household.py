@@ -71,7 +71,12 @@ HOUSEHOLD = {
     ),
     "bucket": Noun(
         "pail",
-        {"body": "*8f979e . metal", "handle": "+5c6268 . metal"},
+        {
+            "body": "*8f979e . metal",
+            "handle": "+5c6268 . metal",
+            "bands": "&5c6268 . metal",
+            "rivets": "-c9ced2 . metal",
+        },
         Usual(0.3, STEEL, 0.045),
     ),
     "candle": Noun(
@@ -92,7 +97,7 @@ HOUSEHOLD = {
     "hat": Noun(
         "top hat; elf hat, clown hat, turban, bonnet, bowler hat, bowler, derby hat, fez, jester "
         "hat, leprechaun hat, graduation cap, graduation hat, mortarboard",
-        {"body": "*1c1c20", "ribbon": "+a01822"},
+        {"body": "*1c1c20", "ribbon": "+a01822", "buckle": "-e0b84a . golden", "piping": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),
     "bell": Noun(

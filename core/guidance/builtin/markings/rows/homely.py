@@ -198,7 +198,51 @@ HOMELY: Rows = {
         "edges": Marking("ribbon", partial(outlines.laid, **homely.RIBBON_EDGES)),
     },
     "ring": {
-        "stones": Marking("band", partial(homely.studs, count=20, size=0.05, axis=1)),
+        "stones": Marking("band", partial(homely.studs, count=20, size=0.05, axis=1, out=0.88)),
         "grooves": Marking("band", partial(fronts.belts, spans=homely.RING_GROOVES, axis=1)),
+    },
+    "glove": {
+        "motif": Marking("body", partial(outlines.laid, **homely.GLOVE_MOTIF)),
+        "ribs": Marking("cuff", partial(outlines.laid, **homely.CUFF_RIBS)),
+    },
+    "handbag": {
+        "piping": Marking("flap", partial(outlines.laid, **homely.FLAP_PIPING)),
+        "quilting": Marking("body", partial(homely.cross_quilt, pitch=0.17)),
+    },
+    "hat": {
+        "buckle": Marking("ribbon", partial(outlines.laid, **homely.HAT_BUCKLE)),
+        "piping": Marking("body", partial(homely.brim, low=0.93, high=2.0)),
+    },
+    "cowboy hat": {
+        "star": Marking("body", partial(outlines.laid, **homely.SHERIFF_STAR)),
+        "stitches": Marking("body", partial(homely.brim, low=0.88, high=0.93)),
+        "studs": Marking("band", partial(homely.studs, count=26, size=0.016)),
+    },
+    "boxing glove": {
+        "star": Marking("body", partial(outlines.laid, **homely.BOXING_STAR)),
+        "letters": Marking("band", partial(outlines.laid, **homely.BAND_TEXT)),
+    },
+    "roller skate": {
+        "star": Marking("body", partial(outlines.laid, **homely.SKATE_STAR)),
+        "stripes": Marking("body", partial(outlines.laid, **homely.SKATE_STRIPES)),
+    },
+    "saddle": {
+        "flowers": Marking("flaps", partial(outlines.laid, **homely.SADDLE_FLOWERS)),
+        "stitches": Marking("skirt", partial(outlines.laid, **homely.SADDLE_EDGE)),
+    },
+    "teddy bear": {
+        "mouth": Marking("muzzle", partial(outlines.laid, **homely.TEDDY_MOUTH), by="body"),
+        "paws": Marking("muzzle", partial(outlines.laid, **homely.TEDDY_PAWS), by="body"),
+        "stitches": Marking("muzzle", partial(outlines.laid, **homely.TEDDY_STITCHES), by="body"),
+        "inner ears": Marking("body", partial(outlines.laid, **homely.TEDDY_EARS)),
+    },
+    "bucket": {
+        "bands": Marking("body", partial(fronts.belts, spans=homely.BUCKET_BANDS)),
+        "rivets": Marking("bands", partial(homely.studs, count=12, size=0.018, at=0.52)),
+    },
+    "map pin": {"star": Marking("disc", partial(outlines.laid, **homely.PIN_RING))},
+    "christmas tree": {
+        "snow": Marking("leaves", homely.snow),
+        "bands": Marking("tub", partial(fronts.belts, spans=homely.TUB_BANDS)),
     },
 }
