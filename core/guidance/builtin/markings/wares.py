@@ -212,7 +212,7 @@ SKATE_STRIPES = {
 }
 SKATE_STAR = {"sides": (Emblem((0.44, 0.3), 0.36, "star"),), "aside": 0.45}
 SADDLE_FLOWERS = {
-    "sides": (Emblem((0.0, -0.5), 0.3, "flower"), Emblem((0.0, 0.1), 0.2, "flower")),
+    "sides": (Emblem((0.0, -0.46), 0.44, "flower"), Emblem((0.0, 0.06), 0.3, "flower")),
     "aside": 0.6,
 }
 SADDLE_EDGE = {
@@ -239,4 +239,21 @@ BUCKET_BANDS = ((0.44, 0.6), (-0.62, -0.46))
 TUB_BANDS = ((-0.5, -0.2),)
 PIN_RING = {
     side: (Disc((0, 0), 0.72, 0.02), Emblem((0, 0), 0.44, "star")) for side in ("front", "back")
+}
+SCARF_LINES = ((0.78, 0.84), (0.5, 0.56), (0.2, 0.26))
+_SMALL_VEINS = (
+    Line(((0, -0.3), (0.22, 0.1)), 0.009, twice=True),
+    Line(((0, 0.06), (0.16, 0.4)), 0.009, twice=True),
+    Line(((0.32, -0.5), (0.36, -0.06)), 0.009, twice=True),
+    Line(((0.4, -0.4), (0.68, -0.36)), 0.009, twice=True),
+)
+SIDE_VEINS = {
+    "front": _SMALL_VEINS,
+    "back": (
+        *_SMALL_VEINS,
+        Line(((0, -1), (0, 0.72)), 0.016),
+        Line(((0, -0.87), (0.74, 0.04)), 0.016, twice=True),
+        Line(((0, -0.87), (0.4, -0.78)), 0.016, twice=True),
+    ),
+    "deep": 0.0,
 }

@@ -250,7 +250,7 @@ ARMS = {
     ),
     "leaf": Noun(
         "leaves, maple leaf, maple leaves; autumn leaf, autumn leaves, fall leaf, oak leaf",
-        {"blade": "*cf4a1e", "veins": "&f0a03c", "stalk": "-8a4a22"},
+        {"blade": "*cf4a1e", "veins": "&f0a03c", "stalk": "-8a4a22", "side veins": "~8f2d0e"},
         Usual(0.15, PLANT, 0.02),
     ),
     "snowflake": Noun(

@@ -134,6 +134,7 @@ EVERYDAY_CLOTHES = {
             "stripes": "+f4efe4 . fabric",
             "fringes": "+f4efe4 . fabric",
             "knot": "&a82428 . fabric",
+            "lines": "+f4efe4 . fabric",
         },
         Usual(0.6, FABRIC, 0.03),
     ),

@@ -54,7 +54,7 @@ SHOWPIECE_PROPS = {
             "flaps": "*7a4220 . leather",
             "stirrups": "+b4b7ba . metal",
             "rivets": "-d0d3d6 . metal",
-            "flowers": "~4f2a12",
+            "flowers": "-d8b070",
             "stitches": "-e6cfa0",
         },
         Usual(0.9, LEATHER, 0.22),

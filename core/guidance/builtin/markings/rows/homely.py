@@ -227,6 +227,7 @@ HOMELY: Rows = {
         "star": Marking("body", partial(outlines.laid, **wares.SKATE_STAR)),
         "stripes": Marking("body", partial(outlines.laid, **wares.SKATE_STRIPES)),
     },
+    "scarf": {"lines": Marking("wool", partial(fronts.belts, spans=wares.SCARF_LINES))},
     "saddle": {
         "flowers": Marking("flaps", partial(outlines.laid, **wares.SADDLE_FLOWERS)),
         "stitches": Marking("skirt", partial(outlines.laid, **wares.SADDLE_EDGE)),
@@ -246,4 +247,5 @@ HOMELY: Rows = {
         "snow": Marking("leaves", wares.snow),
         "bands": Marking("tub", partial(fronts.belts, spans=wares.TUB_BANDS)),
     },
+    "leaf": {"side veins": Marking("blade", partial(outlines.laid, **wares.SIDE_VEINS))},
 }
