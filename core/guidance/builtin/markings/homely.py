@@ -14,6 +14,7 @@ from core.guidance.builtin.markings.margins import (
     Points,
     all_of,
     any_of,
+    in_front,
 )
 from core.guidance.builtin.markings.outlines import (
     Cells,
@@ -105,6 +106,17 @@ def mosaic(points: Points, half: Half, spans: Sequence[Pair], count: int) -> Mar
     across = (0.38 - (turn - turn.round()).abs()) * (math.tau / count) * torch.hypot(x, y)
     rows = (all_of(z - low * half[2], high * half[2] - z) for low, high in spans)
     return all_of(across, any_of(*rows))
+
+
+def picket_nails(
+    points: Points, half: Half, heights: Pair, pitch: float = 0.086, size: float = 0.015
+) -> Margin:
+    """Two side by side at each rail's height, by one picket's box; so many pitches lie between two
+    pickets, however many there are."""
+    x = points[:, 0] / pitch - 0.5
+    aside = (x - x.round()) * pitch
+    away = (torch.hypot(aside, points[:, 2] - at * half[2]) for at in heights)
+    return all_of(any_of(*(size - one for one in away)), in_front(points))
 
 
 DOOR_LOCK = {

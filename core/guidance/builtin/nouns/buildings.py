@@ -209,6 +209,7 @@ BUILDINGS = {
             "piers": "*a8543c bricks",
             "cap": "+cfc7b8 . stone",
             "base": "-8f877b . stone",
+            "joints": "~5a544b",
         },
         Usual(3.0, STONE),
     ),

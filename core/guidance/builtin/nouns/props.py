@@ -236,7 +236,7 @@ PROPS = {
     ),
     "fence": Noun(
         "picket fence; pig pen, pigpen, paling, railing, barricade, balustrade, barrier",
-        {"pickets": "*f0eee6", "rails": "&e0ded4"},
+        {"pickets": "*f0eee6", "rails": "&e0ded4", "nails": "-6d7278 . metal"},
         Usual(1.8, WOOD, 0.3),
     ),
     "mailbox": Noun(

@@ -132,6 +132,8 @@ HOMELY: Rows = {
         "plaque": Marking("piers", partial(outlines.laid, **homely.PIER_PLAQUE), paired=True),
         "joints": Marking("piers", partial(facades.courses, pitch=(0.16, 0.26)), paired=True),
     },
+    "wall": {"joints": Marking("base", partial(boards.planks, count=9, axis=0, wide=0.011))},
+    "fence": {"nails": Marking("pickets", partial(homely.picket_nails, heights=(-0.5, 0.44)))},
     "cake": {
         "sprinkles": Marking("icing", wares.sprinkles),
         "cream": Marking("body", partial(fronts.belts, spans=wares.CAKE_CREAM)),
