@@ -130,6 +130,7 @@ DOOR_KEYHOLE = {
 DOOR_HINGES = {
     "front": tuple(Plate((-0.8, at), (0.22, 0.03), 0.9) for at in (-0.72, 0.74)),
     "back": tuple(Plate((0.8, at), (0.22, 0.03), 0.9) for at in (-0.72, 0.74)),
+    "deep": 0.3,
 }
 _GABLE = (
     Poly(((-0.66, -0.8), (0.66, -0.8), (0.0, 0.54))),
@@ -204,7 +205,7 @@ COFFEE_SEAMS = {
     "deep": 0.2,
 }
 SHELF_VOLUMES, SHELF_TOMES = ((-0.648, -0.444),), ((-0.444, -0.1),)
-SHELF_BANDS = ((1.5, 2.1), (3.9, 4.3))
+SHELF_BANDS = ((0.6, 1.6), (3.9, 4.3))
 VASE_STRIPES = ((-0.36, -0.18), (-0.08, -0.02), (0.86, 1.2))
 THRONE_GEMS = {
     "front": (Emblem((0, -0.78), 0.16, "diamond"), Emblem((0, 0.9), 0.16, "diamond")),

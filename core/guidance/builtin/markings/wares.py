@@ -55,11 +55,11 @@ def sauce(points: Points, half: Half, down: float = 0.72, count: int = 6) -> Mar
 
 
 def grill_marks(points: Points, half: Half, high: float, pitch: float = 0.2) -> Margin:
-    """Slanted ones on the top of what lies on the bearer of the box, from ``high`` above that, in
-    halves of its width."""
+    """Slanted ones on the top of what lies on the bearer of the box, from ``high`` above the middle
+    of that, in halves of its width."""
     phase = (points[:, 0] + points[:, 1]) / (pitch * math.sqrt(2))
     line = (0.13 - (phase - phase.round()).abs()) * pitch
-    return all_of(line, points[:, 2] - half[2] - high * half[0])
+    return all_of(line, points[:, 2] - high * half[0])
 
 
 def written_up(
@@ -189,9 +189,8 @@ FLAP_PIPING = {
 }
 HAT_BUCKLE = {"front": (Plate((0, 0), (0.24, 0.74), 0.2, 0.022),), "deep": 0.3}
 SHERIFF_STAR = {
-    "front": (Emblem((0, 0.26), 0.2, "star"),),
+    "front": (Emblem((0, 0.34), 0.26, "star"),),
     "deep": 0.0,
-    "until": 0.8,
 }
 BOXING_STAR = {
     "front": (Emblem((-0.16, 0.2), 0.36, "star"),),
@@ -233,7 +232,6 @@ TEDDY_STITCHES = {
     "front": (Cells((0, -0.36), (0.008, 0.24), (1, 7), (1, 0.5)),
               Cells((0, -0.36), (0.04, 0.24), (1, 7), (1, 0.16))),
     "deep": 0.0,
-    "until": 0.85,
 }  # fmt: skip
 BUCKET_BANDS = ((0.44, 0.6), (-0.62, -0.46))
 TUB_BANDS = ((-0.5, -0.2),)

@@ -205,7 +205,7 @@ ARMS = {
             "handles": "+c79a3e . golden",
             "edge": "&5a3a20 grain",
             "nails": "-d8a83c . golden",
-            "seams": "~2c1b0e",
+            "seams": "~2c1b0e grain",
         },
         Usual(2.1, WOOD, 0.04),
     ),

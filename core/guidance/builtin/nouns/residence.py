@@ -57,7 +57,7 @@ RESIDENCE_FURNITURE = {
             "canopy": "+8a2c40 . fabric",
             "curtains": "+8a2c40 . fabric",
             "trim": "-d9ad45 . golden",
-            "quilting": "~5a1a2a",
+            "quilting": "~5a1a2a . fabric",
         },
         Usual(2.2, FABRIC, 0.2),
     ),

@@ -47,7 +47,7 @@ HOMELY: Rows = {
     },
     "toilet": {
         "water": Marking(
-            "body", partial(homely.pool_water, size=(0.62, 0.56), at=-0.17, high=(0.2, 0.62))
+            "body", partial(homely.pool_water, size=(0.5, 0.43), at=-0.17, high=(0.2, 1.2))
         ),
         "seams": Marking("tank", partial(outlines.laid, **homely.TOILET_SEAMS)),
         "hinges": Marking("seat", partial(outlines.laid, **homely.TOILET_HINGES)),
@@ -58,7 +58,7 @@ HOMELY: Rows = {
     },
     "sink": {
         "drain": Marking(
-            "basin", partial(homely.pool_water, size=(0.1, 0.13), at=-0.1, high=(-0.9, 0.9))
+            "basin", partial(homely.pool_water, size=(0.1, 0.13), at=-0.1, high=(-0.9, 1.2))
         ),
         "seams": Marking("basin", partial(outlines.laid, **homely.SINK_PANEL)),
         "bands": Marking("column", partial(fronts.belts, spans=homely.SINK_BANDS)),
@@ -148,7 +148,7 @@ HOMELY: Rows = {
         "spots": Marking("cheese", partial(blobs, pitch=0.18, sizes=(0.02, 0.05), share=0.4)),
     },
     "sandwich": {
-        "grill marks": Marking("bread", partial(wares.grill_marks, high=0.235), by="cheese"),
+        "grill marks": Marking("bread", partial(wares.grill_marks, high=0.29), by="cheese"),
     },
     "ice cream": {
         "sprinkles": Marking("sauce", partial(wares.sprinkles, pitch=0.085)),
