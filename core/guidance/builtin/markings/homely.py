@@ -204,7 +204,7 @@ COFFEE_SEAMS = {
     "top": tuple(Line(((-1.2, at), (1.2, at)), 0.009) for at in (-0.6, -0.2, 0.2, 0.6)),
     "deep": 0.2,
 }
-SHELF_VOLUMES, SHELF_TOMES = ((-0.648, -0.444),), ((-0.444, -0.1),)
+SHELF_VOLUMES, SHELF_TOMES = ((-0.648, -0.43),), ((-0.47, -0.1),)
 SHELF_BANDS = ((0.6, 1.6), (3.9, 4.3))
 VASE_STRIPES = ((-0.36, -0.18), (-0.08, -0.02), (0.86, 1.2))
 THRONE_GEMS = {
