@@ -28,15 +28,17 @@ SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
 BOWL = Height(-0.014, 0.05)
 
 BY_NAME = {
-    RAISED: "badges bars belt bolts buckle camera caps collar cells cords frets lamps lattice"
-    " lenses lights links magnets marquee nails pickguard piping plaque ribs ridges rims rivets"
-    " rungs shutters slats spines tail_lamps trim wraps zips",
+    RAISED: "badges bars basil belt bolster bolts buckle camera caps cells collar cords frets gems"
+    " hinges lamps lattice lenses lights links magnets marquee nails pickguard piping plaque"
+    " ribs ridges rims rivets rope rungs sauce shutters slats snow spines stones studs"
+    " tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
-    LOW: "beads blotter buttons coils hems land number_plates panels pocket pockets stitches",
-    SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes port portholes"
-    " ports racks reels screen slots vents window windows",
-    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
-    " scales scores seam seams signs",
+    LOW: "beads blotter boards buttons carpet coils foam frieze grip hems land lock_plate"
+    " number_plates panels pocket pockets runner sprinkles stitches",
+    SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes port"
+    " portholes ports racks reels screen slots vents window windows",
+    GROOVE: "door doors flutes folds fuller furrows gills grill_marks grooves hatch joints lockers"
+    " mortar pleats quilting runes scales scores seam seams signs",
     BOWL: "craters dimples pips",
 }
 BY_THING = {
@@ -44,18 +46,36 @@ BY_THING = {
     "bell": {"bands": RAISED},
     "book": {"lines": GROOVE},
     "bookshelf": {"bands": LOW, "labels": LOW},
+    "boxing glove": {"star": LOW},
+    "bridge": {"bands": GROOVE},
     "broom": {"lines": GROOVE},
+    "bucket": {"bands": RAISED},
     "camera": {"rings": GROOVE},
     "cannon": {"bands": RAISED},
+    "cheese": {"label": LOW},
+    "chocolate bar": {"letters": LOW, "border": LOW},
+    "christmas tree": {"bands": RAISED},
     "church": {"cross": RAISED},
+    "cowboy hat": {"star": RAISED},
+    "drum kit": {"star": LOW},
+    "fountain": {"tiles": LOW, "lines": GROOVE, "bands": GROOVE},
+    "hammer": {"bands": GROOVE},
     "hay bale": {"lines": GROOVE},
     "lamp": {"bands": LOW},
+    "lipstick": {"lines": LOW},
+    "pencil": {"bands": LOW},
     "phone booth": {"sign": RAISED},
+    "saddle": {"flowers": LOW},
     "sarcophagus": {"bands": RAISED},
     "satellite": {"lines": GROOVE},
+    "saw": {"letters": GROOVE},
+    "shelf": {"bands": LOW},
     "sneaker": {"lines": GROOVE},
     "space station": {"lines": GROOVE},
     "speaker": {"rings": LOW},
+    "stool": {"band": LOW},
+    "teddy bear": {"mouth": GROOVE},
+    "throne": {"border": LOW},
     "tombstone": {"letters": GROOVE},
     "train": {"bands": RAISED},
     "tram": {"sign": RAISED},

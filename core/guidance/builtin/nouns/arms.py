@@ -206,6 +206,8 @@ ARMS = {
             "cross": "+d8a83c . golden",
             "handles": "+c79a3e . golden",
             "edge": "&5a3a20 grain",
+            "nails": "-d8a83c . golden",
+            "seams": "~2c1b0e grain",
         },
         Usual(2.1, WOOD, 0.04),
     ),
@@ -250,7 +252,7 @@ ARMS = {
     ),
     "leaf": Noun(
         "leaves, maple leaf, maple leaves; autumn leaf, autumn leaves, fall leaf, oak leaf",
-        {"blade": "*cf4a1e", "veins": "&f0a03c", "stalk": "-8a4a22"},
+        {"blade": "*cf4a1e", "veins": "&f0a03c", "stalk": "-8a4a22", "side veins": "~8f2d0e"},
         Usual(0.15, PLANT, 0.02),
     ),
     "snowflake": Noun(

@@ -86,7 +86,13 @@ CLOTHES = {
     ),
     "glove": Noun(
         "gloves, mitten, mittens; gauntlet, oven mitt",
-        {"body": "*b5342c . fabric", "cuff": "+ece6da . fabric", "band": "-7a211c"},
+        {
+            "body": "*b5342c . fabric",
+            "cuff": "+ece6da . fabric",
+            "band": "-7a211c",
+            "motif": "-fbf7ee",
+            "ribs": "~cfc8b8",
+        },
         Usual(0.25, FABRIC, 0.21),
     ),
     "backpack": Noun(
@@ -110,6 +116,8 @@ CLOTHES = {
             "flap": "&8c3725",
             "handle": "+5a2a1c",
             "clasp": "-e0b84a . golden",
+            "piping": "-e0b84a . golden",
+            "quilting": "~7a2e1c",
         },
         Usual(0.32, LEATHER, 0.2),
     ),
@@ -180,7 +188,14 @@ CLOTHES = {
     "cowboy hat": Noun(
         "stetson; sombrero, fedora, straw hat, sun hat, panama hat, sheriff hat, bucket "
         "hat, sunhat, fedora hat, trilby, safari hat, pith helmet",
-        {"body": "*9a6a3c . fabric", "band": "+4a2a16", "buckle": "-d5d8dc . metal"},
+        {
+            "body": "*9a6a3c . fabric",
+            "band": "+4a2a16",
+            "buckle": "-d5d8dc . metal",
+            "star": "-e8b93c . golden",
+            "stitches": "~5c3a1c",
+            "studs": "-d5d8dc . metal",
+        },
         Usual(0.4, FABRIC, 0.2),
     ),
     "bow tie": Noun(
@@ -196,6 +211,8 @@ CLOTHES = {
             "stripe": "-f2f0ea . fabric",
             "star": "&c8922a . golden",
             "rim": "&c8922a . golden",
+            "beads": "&c8922a . golden",
+            "edges": "-f2f0ea . fabric",
         },
         Usual(0.14, GOLD, 0.043),
     ),

@@ -17,7 +17,13 @@ FOOD = {
     "ice cream": Noun(
         "icecream, ice cream cone; gelato, gelato cone, soft serve, snow cone, sorbet, "
         "waffle cone, sugar cone",
-        {"scoop": "*f6c6cc", "cone": "+c98a45 waffle", "cherry": "-b8121f"},
+        {
+            "scoop": "*f6c6cc",
+            "cone": "+c98a45 waffle",
+            "cherry": "-b8121f",
+            "sauce": "-5a2f1c",
+            "sprinkles": "-fff3d6",
+        },
         Usual(0.18, 600.0, 0.63),
     ),
     "cupcake": Noun(
@@ -37,7 +43,15 @@ FOOD = {
     ),
     "pizza": Noun(
         "; pizza slice, pizza pie",
-        {"crust": "+c98a42", "cheese": "*f4c64f", "salami": "-b5301f", "olives": "-26231c"},
+        {
+            "crust": "+c98a42",
+            "cheese": "*f4c64f",
+            "salami": "-b5301f",
+            "olives": "-26231c",
+            "specks": "-e9a08a",
+            "basil": "-3f8f3a",
+            "spots": "-d99a34",
+        },
         Usual(0.3, 700.0, 0.6),
     ),
     "hot dog": Noun(
@@ -53,6 +67,7 @@ FOOD = {
             "ham": "-e58d8f",
             "tomato": "-c92a1e",
             "cheese": "-f5c244",
+            "grill marks": "~8a5226",
         },
         Usual(0.14, 500.0),
     ),
@@ -66,17 +81,19 @@ FOOD = {
             "plate": "-ece9e2",
             "candles": "+fbf3e0",
             "flames": "-ff9a1e",
+            "sprinkles": "-ffd84a",
+            "cream": "-f6e6c8",
         },
         Usual(0.28, 450.0),
     ),
     "cookie": Noun(
         "chocolate chip cookie; biscuit, oreo, macaron, cracker",
-        {"body": "*cc9248", "chips": "+43230f"},
+        {"body": "*cc9248", "chips": "+43230f", "dimples": "~a06c2e"},
         Usual(0.08, 500.0),
     ),
     "cheese": Noun(
         "swiss cheese, cheese wedge; cheddar, parmesan, brie, cheese wheel, wheel of cheese",
-        {"body": "*f6c63a", "rind": "+d98e22"},
+        {"body": "*f6c63a", "rind": "+d98e22", "label": "-b3261e . paint"},
         Usual(0.15, FLESH),
     ),
     "egg": Noun(
@@ -111,7 +128,13 @@ FOOD = {
     ),
     "pie": Noun(
         "apple pie, cherry pie; tart, quiche",
-        {"crust": "*d49a4e", "filling": "+a8222a", "dish": "-d8d4cc"},
+        {
+            "crust": "*d49a4e",
+            "filling": "+a8222a",
+            "dish": "-d8d4cc",
+            "bands": "-3f6fa8 . paint",
+            "flutes": "~b3ada0",
+        },
         Usual(0.28, 700.0),
     ),
     "can": Noun(

@@ -15,6 +15,7 @@ FURNITURE = {
             "back": "*8f5c30 grain",
             "legs": "*754a26 grain",
             "arms": "*754a26 grain",
+            "seams": "~5f3a1c grain",
         },
         Usual(0.9, WOOD, 0.27),
     ),
@@ -47,7 +48,12 @@ FURNITURE = {
     ),
     "stool": Noun(
         "; bar stool, barstool",
-        {"seat": "&a06a38 grain", "legs": "*70472a grain"},
+        {
+            "seat": "&a06a38 grain",
+            "legs": "*70472a grain",
+            "band": "-c9a24a . golden",
+            "seams": "~6f4622 grain",
+        },
         Usual(0.6, WOOD, 0.21),
     ),
     "bench": Noun(
@@ -140,6 +146,10 @@ FURNITURE = {
             "frame": "+d9a93c . golden",
             "knobs": "-f0c95a . golden",
             "step": "-7a1620",
+            "buttons": "-f0c95a . golden",
+            "panels": "&b07f24 . golden",
+            "gems": "-2f6fd0 . glass",
+            "border": "-f0c95a . golden",
         },
         Usual(1.8, WOOD, 0.21),
     ),
@@ -193,7 +203,12 @@ FURNITURE = {
     ),
     "coffee table": Noun(
         "low table; side table, tea table",
-        {"top": "*96602f grain", "legs": "*70472a grain", "shelf": "&85552b grain"},
+        {
+            "top": "*96602f grain",
+            "legs": "*70472a grain",
+            "shelf": "&85552b grain",
+            "seams": "~6a4220 grain",
+        },
         Usual(1.1, WOOD, 0.29),
     ),
     "cabinet": Noun(
@@ -211,7 +226,14 @@ FURNITURE = {
     ),
     "mirror": Noun(
         "looking glass, standing mirror; magic mirror",
-        {"frame": "*d3a640 . golden", "glass": "-c6dbe6 . glass", "stand": "+6d4425 grain"},
+        {
+            "frame": "*d3a640 . golden",
+            "glass": "-c6dbe6 . glass",
+            "stand": "+6d4425 grain",
+            "gems": "-b01f3a . glass",
+            "glare": "-eef6fa . glass",
+            "backing": "+6d4425 grain",
+        },
         Usual(1.6, WOOD, 0.17),
     ),
     "floor lamp": Noun(
@@ -250,12 +272,21 @@ FURNITURE = {
             "base": "*2a716d . fabric",
             "feet": "-4a2f1c grain",
             "button": "+e0b84a . golden",
+            "nails": "+e0b84a . golden",
+            "piping": "+e0b84a . fabric",
         },
         Usual(0.6, FABRIC, 0.5),
     ),
     "crib": Noun(
         "cot, baby bed; cradle, playpen, bassinet",
-        {"frame": "*efe9dc", "mattress": "-dfe6ea", "pillow": "+f6f3ec", "blanket": "+8fb7d8"},
+        {
+            "frame": "*efe9dc",
+            "mattress": "-dfe6ea",
+            "pillow": "+f6f3ec",
+            "blanket": "+8fb7d8",
+            "hearts": "-e98fa8 . paint",
+            "stars": "-fbf6e6 . fabric",
+        },
         Usual(1.3, WOOD, 0.15),
     ),
     "grandfather clock": Noun(
@@ -282,6 +313,10 @@ FURNITURE = {
             "brackets": "&6f4626 grain",
             "books": "-b03a30",
             "vase": "-3f86a8",
+            "volumes": "-2f6b4a",
+            "tomes": "-2d4f8f",
+            "bands": "-e0b84a . golden",
+            "stripes": "-f4efe0",
         },
         Usual(0.9, WOOD, 0.42),
     ),

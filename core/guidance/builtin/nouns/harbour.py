@@ -135,6 +135,7 @@ CIVIC = {
             "windows": "-33241a",
             "base": "&9a6a48 . stone",
             "band": "+7d4f2a . fabric",
+            "zigzags": "-f3e4c4 . paint",
         },
         Usual(5.0, STONE, 0.15),
     ),

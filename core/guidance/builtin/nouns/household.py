@@ -71,7 +71,12 @@ HOUSEHOLD = {
     ),
     "bucket": Noun(
         "pail",
-        {"body": "*8f979e . metal", "handle": "+5c6268 . metal"},
+        {
+            "body": "*8f979e . metal",
+            "handle": "+5c6268 . metal",
+            "bands": "&5c6268 . metal",
+            "rivets": "-c9ced2 . metal",
+        },
         Usual(0.3, STEEL, 0.045),
     ),
     "candle": Noun(
@@ -92,7 +97,7 @@ HOUSEHOLD = {
     "hat": Noun(
         "top hat; elf hat, clown hat, turban, bonnet, bowler hat, bowler, derby hat, fez, jester "
         "hat, leprechaun hat, graduation cap, graduation hat, mortarboard",
-        {"body": "*1c1c20", "ribbon": "+a01822"},
+        {"body": "*1c1c20", "ribbon": "+a01822", "buckle": "-e0b84a . golden", "piping": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
     ),
     "bell": Noun(
@@ -141,6 +146,10 @@ HOUSEHOLD = {
             "panels": "&9f6837 grain",
             "frame": "+e6e0d2",
             "handle": "-d9ad45 . golden",
+            "trim": "~7a4a22 grain",
+            "lock plate": "-d9ad45 . golden",
+            "keyhole": "-1d1712",
+            "hinges": "-d9ad45 . golden",
         },
         Usual(2.0, WOOD, 0.072),
     ),
@@ -217,6 +226,9 @@ HOUSEHOLD = {
             "lid": "&e8e9e6",
             "tank": "*eff0ee",
             "button": "-a8aeb4 . metal",
+            "water": "-8fc9e6 . glass",
+            "seams": "~c4c8ca",
+            "hinges": "-a8aeb4 . metal",
         },
         Usual(0.75, CERAMIC, 0.15),
     ),
@@ -228,6 +240,8 @@ HOUSEHOLD = {
             "tap": "+c9a03c . golden",
             "feet": "&c9a03c . golden",
             "rim": "*f4f4f2",
+            "foam": "-ffffff",
+            "bands": "&c9a03c . golden",
         },
         Usual(1.7, STEEL, 0.03),
     ),
@@ -238,6 +252,9 @@ HOUSEHOLD = {
             "column": "&e6e7e4",
             "tap": "+aab1b8 . metal",
             "handles": "+aab1b8 . metal",
+            "drain": "-6d747b . metal",
+            "seams": "~bfc4c6",
+            "bands": "&c3cbd0",
         },
         Usual(0.9, CERAMIC, 0.12),
     ),

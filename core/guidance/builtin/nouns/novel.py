@@ -51,7 +51,7 @@ NOVEL_SMALL = {
     "map pin": Noun(
         "map pins, location pin, location marker, map marker, location icon, gps pin, place pin, "
         "pin icon, google maps pin, map pointer; geotag, drop pin, push pin, pushpin, thumbtack",
-        {"body": "*e0322b . plastic", "disc": "+f7f5f0 . plastic"},
+        {"body": "*e0322b . plastic", "disc": "+f7f5f0 . plastic", "star": "-e0322b"},
         Usual(0.3, PLASTIC, 0.3),
     ),
     "pocket watch": Noun(

@@ -70,6 +70,7 @@ OUTFIT_ARMS = {
             "handle": "+7a4a24 grain",
             "grip": "+4a2a1c . leather",
             "pommel": "+d8a83c . golden",
+            "runes": "-8fe3fa . paint",
         },
         Usual(1.2, STEEL, 0.03),
     ),

@@ -112,6 +112,8 @@ PARLOUR_PLANTS = {
             "beads": "+e8b93c . golden",
             "star": "-ffd23f . golden",
             "tub": "-8a2a24 . paint",
+            "snow": "-f6fafc",
+            "bands": "-e8b93c . golden",
         },
         Usual(2.0, PLANT, 0.02),
     ),

@@ -211,7 +211,13 @@ JEWELLERY = {
     "ring": Noun(
         "finger ring, diamond ring, engagement ring; wedding ring, signet ring, magic ring, gold "
         "ring",
-        {"band": "*e0b04a . golden", "setting": "&e0b04a . golden", "gem": "-7fd0e8 . glass"},
+        {
+            "band": "*e0b04a . golden",
+            "setting": "&e0b04a . golden",
+            "gem": "-7fd0e8 . glass",
+            "stones": "-eaf6fb . glass",
+            "grooves": "~9c7424",
+        },
         Usual(0.028, GOLD, 0.25),
     ),
 }

@@ -5,7 +5,12 @@ from core.guidance.builtin.nouns.noun import CERAMIC, PLANT, STONE, WOOD, Noun, 
 PLANTS = {
     "mushroom": Noun(
         "toadstool; fly agaric, amanita, fungus, truffle",
-        {"cap": "*cc1a12 dots", "stem": "+e6d9bd"},
+        {
+            "cap": "*cc1a12 dots",
+            "stem": "+e6d9bd",
+            "underside": "-f3e6cc",
+            "gills": "~cdb894",
+        },
         Usual(0.1, PLANT, 0.4),
     ),
     "tree": Noun(

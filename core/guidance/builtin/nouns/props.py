@@ -204,6 +204,9 @@ PROPS = {
             "roof": "+8a4a2e",
             "posts": "-6b4424 grain",
             "water": "-3f7fa8",
+            "seams": "~5c2e1a grain",
+            "boards": "-8a5c34 grain",
+            "rope": "-e0c48a . fabric",
         },
         Usual(2.2, STONE, 0.5),
     ),
@@ -239,7 +242,7 @@ PROPS = {
     ),
     "fence": Noun(
         "picket fence; pig pen, pigpen, paling, railing, barricade, balustrade, barrier",
-        {"pickets": "*f0eee6", "rails": "&e0ded4"},
+        {"pickets": "*f0eee6", "rails": "&e0ded4", "nails": "-6d7278 . metal"},
         Usual(1.8, WOOD, 0.3),
     ),
     "mailbox": Noun(

@@ -54,6 +54,8 @@ SHOWPIECE_PROPS = {
             "flaps": "*7a4220 . leather",
             "stirrups": "+b4b7ba . metal",
             "rivets": "-d0d3d6 . metal",
+            "flowers": "-d8b070 . leather",
+            "stitches": "~e6cfa0 . leather",
         },
         Usual(0.9, LEATHER, 0.22),
     ),

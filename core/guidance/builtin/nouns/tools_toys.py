@@ -5,7 +5,14 @@ from core.guidance.builtin.nouns.noun import PLASTIC, STEEL, WOOD, Noun, Usual
 TOOLS_AND_TOYS = {
     "hammer": Noun(
         "claw hammer; mallet, sledgehammer, mjolnir, gavel",
-        {"head": "*8e949b . metal", "handle": "+b07a40 grain", "claw": "*8e949b . metal"},
+        {
+            "head": "*8e949b . metal",
+            "handle": "+b07a40 grain",
+            "claw": "*8e949b . metal",
+            "grip": "-b8241f . rubber",
+            "ridges": "~7c1613",
+            "bands": "~5f656b",
+        },
         Usual(0.33, 2500.0, 0.28),
     ),
     "axe": Noun(
@@ -80,7 +87,12 @@ TOOLS_AND_TOYS = {
     ),
     "saw": Noun(
         "handsaw, hand saw; hacksaw, jigsaw",
-        {"blade": "*b9bec4 . metal", "handle": "+a3622e grain", "rivets": "-d8b04a . golden"},
+        {
+            "blade": "*b9bec4 . metal",
+            "handle": "+a3622e grain",
+            "rivets": "-d8b04a . golden",
+            "letters": "-565d63",
+        },
         Usual(0.55, 2500.0, 0.062),
     ),
     "paintbrush": Noun(
@@ -101,6 +113,9 @@ TOOLS_AND_TOYS = {
             "lead": "-2a2a2e",
             "eraser": "+e88a92",
             "ferrule": "-b9bec4 . metal",
+            "letters": "-2a2a2e",
+            "rings": "-2a2a2e",
+            "bands": "-3f7a52 . paint",
         },
         Usual(0.19, WOOD, 0.3),
     ),
@@ -141,7 +156,13 @@ TOOLS_AND_TOYS = {
     "knife": Noun(
         "kitchen knife, chef's knife; cleaver, butter knife, scalpel, razor blade, pocketknife, "
         "pocket knife, pen knife, penknife, box cutter",
-        {"blade": "*c3c8cd . metal", "handle": "+2f2420", "rivets": "-d5d8dc . metal"},
+        {
+            "blade": "*c3c8cd . metal",
+            "handle": "+2f2420",
+            "rivets": "-d5d8dc . metal",
+            "edge": "-eef1f3 . metal",
+            "bolster": "-c3c8cd . metal",
+        },
         Usual(0.32, 3500.0, 0.53),
     ),
     "fork": Noun(
