@@ -32,14 +32,15 @@ BY_NAME = {
     " lenses lights links magnets nails pickguard piping plaque ribs ridges rims rivets"
     " rungs shutters slats spines tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
-    LOW: "beads blotter buttons coils hems land number_plates panels pocket pockets stitches",
+    LOW: "beads blotter brows buttons coils hems land number_plates panels pocket pockets stitches",
     SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
     " racks reels screen slots vents window windows",
-    GROOVE: "door doors flutes folds fuller furrows grooves hatch joints lockers mortar pleats"
-    " scales scores seam seams signs",
+    GROOVE: "curls door doors feathers flutes folds fuller furrows gills grooves hatch joints laces"
+    " lockers mortar pleats quills scales scores seam seams signs twist whorl",
     BOWL: "craters dimples pips",
 }
 BY_THING = {
+    "ant": {"bands": GROOVE},
     "arrow": {"bands": RAISED},
     "bell": {"bands": RAISED},
     "book": {"lines": GROOVE},
@@ -48,10 +49,13 @@ BY_THING = {
     "camera": {"rings": GROOVE},
     "cannon": {"bands": RAISED},
     "church": {"cross": RAISED},
+    "cowboy": {"star": RAISED},
     "hay bale": {"lines": GROOVE},
     "lamp": {"bands": LOW},
     "sarcophagus": {"bands": RAISED},
+    "lobster": {"bands": GROOVE},
     "satellite": {"lines": GROOVE},
+    "skeleton": {"teeth": GROOVE},
     "sneaker": {"lines": GROOVE},
     "space station": {"lines": GROOVE},
     "speaker": {"rings": LOW},
