@@ -35,8 +35,8 @@ BY_NAME = {
     LOW: "beads blotter brows buttons coils hems land number_plates panels pocket pockets stitches",
     SUNK: "breaths display fins gaps grille hole holes keyhole mesh nostrils panes portholes ports"
     " racks reels screen slots vents window windows",
-    GROOVE: "curls door doors feathers flutes folds fuller furrows gills grooves hatch joints laces"
-    " lockers mortar pleats quills scales scores seam seams signs twist whorl",
+    GROOVE: "cracks curls door doors feathers flutes folds fuller furrows gills grooves hatch"
+    " joints laces lockers mortar pleats quills scales scores seam seams signs twist whorl",
     BOWL: "craters dimples pips",
 }
 BY_THING = {
@@ -56,6 +56,7 @@ BY_THING = {
     "lobster": {"bands": GROOVE},
     "satellite": {"lines": GROOVE},
     "skeleton": {"teeth": GROOVE},
+    "skull": {"teeth": GROOVE},
     "sneaker": {"lines": GROOVE},
     "space station": {"lines": GROOVE},
     "speaker": {"rings": LOW},

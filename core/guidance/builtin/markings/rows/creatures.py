@@ -6,8 +6,9 @@ from core.guidance.builtin.markings import creatures, figures, outlines
 from core.guidance.builtin.markings.creatures import SIDE
 from core.guidance.builtin.markings.margins import blobs
 from core.guidance.builtin.markings.marking import Marking, Rows
-from core.guidance.builtin.markings.outlines import Emblem, Poly
+from core.guidance.builtin.markings.outlines import Emblem, Line, Poly
 
+BEE_VEINS = tuple(((-0.9, 0.0), end) for end in ((0.8, 0.1), (0.4, -0.7), (0.2, 0.6)))
 DRAGON_BONES = (
     ((-1.0, -0.4), (-0.42, 0.93), (0.36, 0.97), (1.0, 0.06)),
     *(((-0.42, 0.93), end) for end in ((0.32, -0.58), (-0.44, -1.0))),
@@ -35,6 +36,11 @@ PHOENIX_QUILLS = (
 )
 QUARTERS = tuple(
     Poly(((0, 0), (0.85 * k, 0), (0.85 * k, 0.85 * k), (0, 0.85 * k))) for k in (1, -1)
+)
+SKULL_TEETH = tuple(Line(((0.14 * k, -0.82), (0.14 * k, -0.44))) for k in range(-2, 3))
+SKULL_CRACKS = (
+    Line(((0.3, 0.95), (0.42, 0.74), (0.3, 0.62), (0.4, 0.44)), 0.016),
+    Line(((0.42, 0.74), (0.56, 0.66)), 0.013),
 )
 GLINTS = {"glints": Marking("eyes", creatures.glints, paired=True)}
 MUZZLED = {"mouth": Marking("muzzle", figures.muzzle_mouth)}
@@ -76,9 +82,13 @@ def _bars(on: str, **others: object) -> Marking:
     return Marking(on, partial(creatures.bars, **others))
 
 
-def _drawn(on: str, *curves: creatures.Curve, wide: float = 0.013, side: bool = False) -> Marking:
+def _drawn(
+    on: str,
+    *curves: creatures.Curve,
+    wide: float = 0.013,
+    axes: tuple[int, int] = creatures.FRONT,
+) -> Marking:
     """On wings, alike on both sides."""
-    axes = SIDE if side else creatures.FRONT
     return Marking(on, partial(creatures.drawn, curves=curves, wide=wide, axes=axes), paired=True)
 
 
@@ -138,7 +148,7 @@ CREATURES: Rows = {
         **_pupils(0.4, 0.4),
         "stitches": _lines(
             "skin",
-            ((0.0, -1.7), (1.7, -1.2)),
+            ((0.1, -1.65), (1.4, -1.25)),
             *(
                 ((0.3 + 0.5 * k, -1.25 + 0.15 * k), (0.4 + 0.5 * k, -1.95 + 0.15 * k))
                 for k in range(3)
@@ -241,7 +251,12 @@ CREATURES: Rows = {
         **GLINTS,
         "grooves": Marking("belly", partial(creatures.throat, count=9)),
     },
-    "dolphin": {**GLINTS},
+    "dolphin": {
+        **GLINTS,
+        "mouth": _lines(
+            "body", ((-6.5, -6.2), (-3.4, -3.6), (-1.2, -2.7), (-0.4, -2.0)), side=True, wide=0.16
+        ),
+    },
     "octopus": {
         "mouth": _lines("body", ((-0.6, -1.9), (-1.2, -2.4), (-9.0, -2.5)), wide=0.17),
         "spots": _blobs("body", 0.22, 0.04, 0.07, 0.7),
@@ -249,7 +264,10 @@ CREATURES: Rows = {
     "crab": {**GLINTS, "spots": _blobs("body", 0.2, 0.03, 0.05, 0.8)},
     "lobster": {**GLINTS, "bands": _bars("tail", way=(0.0, 1.0, 0.0), pitch=0.13, wide=0.016)},
     "spider": {**_pupils(0.4, 0.4), "cross": Marking("body", creatures.spider_mark)},
-    "bee": {**_pupils(0.45, 0.55, (0.5, -0.9, 0.1))},
+    "bee": {
+        **_pupils(0.45, 0.55, (0.5, -0.9, 0.1)),
+        "veins": _drawn("wings", *BEE_VEINS, axes=(0, 1)),
+    },
     "ant": {**GLINTS, "bands": _bars("body", way=(0.0, 1.0, 0.0), pitch=0.11, span=(0.25, 9.0))},
     "squirrel": {**GLINTS, "ears": _spots("body", (0.0, 2.4, 3.7), sizes=(0.8, 1.3, 1.6))},
     "panda": _pupils() | MUZZLED,
@@ -278,9 +296,13 @@ CREATURES: Rows = {
         "nostrils": _spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
         "twist": Marking("horn", partial(creatures.twist, way=(0.0, -0.35, 1.0))),
     },
-    "griffin": {**GLINTS, "quills": _drawn("wings", *GRIFFIN_QUILLS, side=True)},
+    "griffin": {**GLINTS, "quills": _drawn("wings", *GRIFFIN_QUILLS, axes=SIDE)},
     "phoenix": {**GLINTS, "feathers": _drawn("wings", *PHOENIX_QUILLS)},
     "snail": {**GLINTS, "whorl": Marking("shell", creatures.whorl)},
+    "skull": {
+        "teeth": Marking("bone", partial(outlines.laid, front=SKULL_TEETH, deep=0.5)),
+        "cracks": Marking("bone", partial(outlines.laid, front=SKULL_CRACKS, deep=0.2)),
+    },
     "bat": _pupils(0.3, 0.7),
     "mouse": {
         **GLINTS,
