@@ -177,14 +177,23 @@ def dapples(points: Points, half: Half, pitch: float = 0.115) -> Margin:
 
 
 def stripes(
-    points: Points, half: Half, pitch: float = 0.17, share: float = 0.3, low: float = 0.0
+    points: Points, half: Half, pitch: float = 0.16, share: float = 0.3, fall: float = 0.45
 ) -> Margin:
-    """Across a back, tapering to where they end at ``low``, in halves of the height."""
+    """Across a back that falls to the tail, behind the neck, every other one shorter."""
     along = points[:, 1] / pitch
-    deep = ((points[:, 2] / half[2] - low) / (1 - low)).clamp_max(1)
+    above = points[:, 2] / half[2] + fall * points[:, 1] / half[1]
     every = along.round().remainder(2)
-    wide = share * pitch * (deep - 0.25 * every).clamp_min(0).sqrt()
-    return torch.where(wide > 0, wide - (along - along.round()).abs() * pitch, -0.02)
+    wide = share * pitch * ((above + 0.3) / 0.6 - 0.4 * every).clamp(0, 1).sqrt()
+    found = torch.where(wide > 0, wide - (along - along.round()).abs() * pitch, -0.02)
+    return all_of(found, points[:, 1] + 0.12 * half[1])
+
+
+def coils(points: Points, half: Half, count: int = 12, share: float = 0.16) -> Margin:
+    """A coiled snake's: slanted bands about the rings, none on the neck within."""
+    away = points[:, :2].norm(dim=1)
+    turn = torch.atan2(points[:, 0], points[:, 1]) / math.tau * count - 4 * points[:, 2]
+    bands = (share - (turn - turn.round()).abs()) * (math.tau / count) * away
+    return all_of(bands, away - 0.42 * half[0])
 
 
 def tail_scales(points: Points, half: Half, count: int = 12, line: float = 0.01) -> Margin:

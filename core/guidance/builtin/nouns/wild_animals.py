@@ -193,7 +193,7 @@ WILD_ANIMALS = {
             "feet": "&3f8a36",
             "eyes": "-f2c230",
             "pupils": "-111111",
-            "spots": "~2f7a22",
+            "spots": "~2a6a1e",
             "glints": "-ffffff",
         },
         Usual(0.3, FLESH, 0.2),

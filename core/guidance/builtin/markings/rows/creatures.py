@@ -6,8 +6,9 @@ from core.guidance.builtin.markings import creatures, figures, outlines
 from core.guidance.builtin.markings.creatures import SIDE
 from core.guidance.builtin.markings.margins import blobs
 from core.guidance.builtin.markings.marking import Marking, Rows
-from core.guidance.builtin.markings.outlines import Emblem, Line, Poly
+from core.guidance.builtin.markings.outlines import Emblem, Line, Plate, Poly
 
+SNAKE_PUPIL = (Plate((-1.14, 1.09), (0.09, 0.17), 1.0),)  # their middle is not the body's
 BEE_VEINS = tuple(((-0.9, 0.0), end) for end in ((0.8, 0.1), (0.4, -0.7), (0.2, 0.6)))
 DRAGON_BONES = (
     ((-1.0, -0.4), (-0.42, 0.93), (0.36, 0.97), (1.0, 0.06)),
@@ -178,7 +179,7 @@ CREATURES: Rows = {
         "cheeks": _spots("skin", (0.9, 0.0, -2.2), sizes=(0.9, 2.0, 0.65)),
         "brows": _lines("skin", ((-0.6, 2.3), (0.1, 2.5), (0.8, 2.2)), wide=0.2),
     },
-    "bear": {**GLINTS, **MUZZLED},
+    "bear": {**GLINTS, **MUZZLED, "ears": _spots("body", (1.4, 2.4, 2.5), sizes=(1.2, 1.6, 1.2))},
     "monkey": {
         **GLINTS,
         "nostrils": _spots("face", (-1.4, 0.0, -2.4), sizes=(0.35, 2.5, 0.3)),
@@ -211,15 +212,18 @@ CREATURES: Rows = {
     "goose": _feathers() | GLINTS,
     "peacock": GLINTS,
     "snake": {
-        **_pupils(0.32, 0.74, (0.8, -0.7, 0.15)),
+        "pupils": Marking("eyes", partial(outlines.laid, sides=SNAKE_PUPIL, aside=0.3), by="belly"),
         "grooves": _bars("belly", way=(0.0, 0.0, 1.0), pitch=0.08),
-        "spots": _blobs("body", 0.2, 0.04, 0.06, 0.8),
+        "bands": Marking("body", creatures.coils),
     },
     "crocodile": {
         **_pupils(0.32, 0.74, (0.9, -0.6, 0.2)),
         "grooves": Marking("body", creatures.hide),
     },
-    "lizard": {"spots": _blobs("body", 0.17, 0.03, 0.05, 0.75), **GLINTS},
+    "lizard": {
+        "spots": _blobs("body", 0.13, 0.026, 0.045, 0.9),
+        "glints": Marking("pupils", creatures.glints, paired=True),
+    },
     "dinosaur": {
         **GLINTS,
         "stripes": Marking("body", creatures.stripes),
