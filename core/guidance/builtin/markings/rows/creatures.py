@@ -262,7 +262,7 @@ CREATURES: Rows = {
         ),
     },
     "octopus": {
-        "mouth": _lines("body", ((-0.6, -1.9), (-1.2, -2.4), (-9.0, -2.5)), wide=0.17),
+        "mouth": _lines("body", ((-0.9, -1.2), (-1.3, -1.5), (-9.0, -1.6)), wide=0.17, until=1.5),
         "spots": _blobs("body", 0.22, 0.04, 0.07, 0.7),
     },
     "crab": {**GLINTS, "spots": _blobs("body", 0.2, 0.03, 0.05, 0.8)},
