@@ -321,5 +321,8 @@ CREATURES: Rows = {
         **GLINTS,
         "mouth": _lines("body", ((-9.0, -5.2), (-4.6, -5.2), (-3.4, -4.7)), side=True, wide=0.2),
     },
-    "rubber duck": _feathers() | {"glints": Marking("pupils", creatures.glints, paired=True)},
+    "rubber duck": {
+        **_feathers(way=(0.0, 1.0, 0.4), short=(-0.4, 0.1), rows=1),
+        "glints": Marking("pupils", partial(creatures.glints, way=(0.1, -0.95, 0.35)), paired=True),
+    },
 }
