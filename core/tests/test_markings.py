@@ -86,7 +86,7 @@ def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part)
     around = torch.cartesian_prod(line, line, line)
     marks, by = MARKINGS[noun][part].marks, MARKINGS[noun][part].by
     bearers = ((on_a_ball(20000, 0.9), 0.9 * UNIT), (cube, 0.7 * UNIT))
-    if by == "eyes":  # a face is larger than they are, and about them
+    if by in ("eyes", "belly"):  # what is beside them
         bearers = ((0.1 * around, 0.1 * UNIT),)
     for points, half in bearers:
         margin = marks(points, half)

@@ -50,8 +50,11 @@ def on_eye(points: Points, half: Half, spots: Sequence[tuple[Way, Pair]]) -> Mar
         right = torch.linalg.cross(out, out.new_tensor(UP))
         right = right / right.norm().clamp_min(1e-6)
         up = torch.linalg.cross(right, out)
-        off = torch.hypot(at @ right / wide, at @ up / high)
-        found.append(torch.minimum((1 - off) * min(wide, high), at @ out))
+        across, along = at @ right, at @ up
+        off = torch.hypot(across / wide, along / high)
+        steep = torch.hypot(across / wide**2, along / high**2)
+        inside = (1 - off) * (off + 1e-4) / (steep + 1e-4 / min(wide, high))
+        found.append(torch.minimum(inside, at @ out))
     return any_of(*found) * half.mean()
 
 
@@ -192,7 +195,8 @@ def coils(points: Points, half: Half, count: int = 12, share: float = 0.16) -> M
     """A coiled snake's: slanted bands about the rings, none on the neck within."""
     away = points[:, :2].norm(dim=1)
     turn = torch.atan2(points[:, 0], points[:, 1]) / math.tau * count - 4 * points[:, 2]
-    bands = (share - (turn - turn.round()).abs()) * (math.tau / count) * away
+    step = math.tau / count * away
+    bands = (share - (turn - turn.round()).abs()) * step / (1 + (4 * step).square()).sqrt()
     return all_of(bands, away - 0.42 * half[0])
 
 

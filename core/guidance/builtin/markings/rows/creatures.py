@@ -8,7 +8,7 @@ from core.guidance.builtin.markings.margins import blobs
 from core.guidance.builtin.markings.marking import Marking, Rows
 from core.guidance.builtin.markings.outlines import Emblem, Line, Plate, Poly
 
-SNAKE_PUPIL = (Plate((-1.14, 1.09), (0.09, 0.17), 1.0),)  # their middle is not the body's
+SNAKE_PUPIL = (Plate((-1.14, 1.09), (0.12, 0.18), 1.0),)  # their middle is not the body's
 BEE_VEINS = tuple(((-0.9, 0.0), end) for end in ((0.8, 0.1), (0.4, -0.7), (0.2, 0.6)))
 DRAGON_BONES = (
     ((-1.0, -0.4), (-0.42, 0.93), (0.36, 0.97), (1.0, 0.06)),
@@ -319,7 +319,7 @@ CREATURES: Rows = {
     },
     "rocking horse": {
         **GLINTS,
-        "mouth": _lines("body", ((-9.0, -5.2), (-4.6, -5.2), (-3.4, -4.7)), side=True, wide=0.2),
+        "mouth": _lines("body", ((-9.0, -4.8), (-4.6, -4.8), (-3.4, -4.3)), side=True, wide=0.2),
     },
     "rubber duck": {
         **_feathers(way=(0.0, 1.0, 0.4), short=(-0.4, 0.1), rows=1),
