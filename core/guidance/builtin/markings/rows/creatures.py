@@ -277,7 +277,7 @@ CREATURES: Rows = {
     "panda": _pupils() | MUZZLED,
     "gorilla": {
         **GLINTS,
-        "mouth": _lines("face", ((0.4, -4.5), (-0.6, -4.1), (-9.0, -4.0)), wide=0.25),
+        "mouth": _lines("face", ((0.4, -3.7), (-0.6, -3.3), (-9.0, -3.25)), wide=0.25),
     },
     "rhino": {
         **GLINTS,
