@@ -82,8 +82,13 @@ SPOTS = [(n, p) for n, p in EACH if getattr(MARKINGS[n][p].marks, "func", None) 
 @pytest.mark.parametrize(("noun", "part"), [each for each in EACH if each not in SPOTS])
 def test_a_marking_is_on_some_of_what_bears_it_and_as_far_as_it_says(noun, part):
     cube = torch.cat([on_a_face(axis, side, 97, 0.7) for axis in range(3) for side in (-1, 1)])
-    marks = MARKINGS[noun][part].marks
-    for points, half in ((on_a_ball(20000, 0.9), 0.9 * UNIT), (cube, 0.7 * UNIT)):
+    line = torch.arange(-8, 8.1, 0.25)
+    around = torch.cartesian_prod(line, line, line)
+    marks, by = MARKINGS[noun][part].marks, MARKINGS[noun][part].by
+    bearers = ((on_a_ball(20000, 0.9), 0.9 * UNIT), (cube, 0.7 * UNIT))
+    if by in ("eyes", "belly"):  # what is beside them
+        bearers = ((0.1 * around, 0.1 * UNIT),)
+    for points, half in bearers:
         margin = marks(points, half)
         assert margin.isfinite().all() and margin.min() < 0 < margin.max()
         near, step = points[margin.abs() < 0.02], 1e-3
@@ -108,7 +113,7 @@ def test_spots_are_on_both_sides_of_a_front(noun, part):
     assert (seen[:, 1] < middle[1] + 0.1).all() and (seen[:, 1] < middle[1]).float().mean() > 0.5
 
 
-LIT = [noun for noun, parts in MARKINGS.items() if "glints" in parts]
+LIT = [noun for noun, parts in MARKINGS.items() if {"glints", "eyes"} <= set(parts)]
 
 
 @pytest.mark.parametrize("noun", LIT)

@@ -33,15 +33,17 @@ BY_NAME = {
     " ribs ridges rims rivets rope rungs sauce shutters slats snow spines stones studs"
     " tail_lamps trim wraps zips",
     OF_PANE: "frames mullions",
-    LOW: "beads blotter boards buttons carpet coils foam frieze grip hems land lock_plate"
+    LOW: "beads blotter boards brows buttons carpet coils foam frieze grip hems land lock_plate"
     " number_plates panels pocket pockets runner sprinkles stitches",
     SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes port"
     " portholes ports racks reels screen slots vents window windows",
-    GROOVE: "door doors flutes folds fuller furrows gills grill_marks grooves hatch joints lockers"
-    " mortar pleats quilting runes scales scores seam seams signs",
+    GROOVE: "cracks curls door doors feathers flutes folds fuller furrows gills grill_marks grooves"
+    " hatch joints laces lockers mortar pleats quills quilting runes scales scores seam"
+    " seams signs twist whorl",
     BOWL: "craters dimples pips",
 }
 BY_THING = {
+    "ant": {"bands": GROOVE},
     "arrow": {"bands": RAISED},
     "bell": {"bands": RAISED},
     "book": {"lines": GROOVE},
@@ -56,6 +58,7 @@ BY_THING = {
     "chocolate bar": {"letters": LOW, "border": LOW},
     "christmas tree": {"bands": RAISED},
     "church": {"cross": RAISED},
+    "cowboy": {"star": RAISED},
     "cowboy hat": {"star": RAISED},
     "drum kit": {"star": LOW},
     "fountain": {"tiles": LOW, "lines": GROOVE, "bands": GROOVE},
@@ -63,6 +66,7 @@ BY_THING = {
     "hay bale": {"lines": GROOVE},
     "lamp": {"bands": LOW},
     "lipstick": {"lines": LOW},
+    "lobster": {"bands": GROOVE},
     "pencil": {"bands": LOW},
     "phone booth": {"sign": RAISED},
     "saddle": {"flowers": LOW},
@@ -70,6 +74,8 @@ BY_THING = {
     "satellite": {"lines": GROOVE},
     "saw": {"letters": GROOVE},
     "shelf": {"bands": LOW},
+    "skeleton": {"teeth": GROOVE},
+    "skull": {"teeth": GROOVE},
     "sneaker": {"lines": GROOVE},
     "space station": {"lines": GROOVE},
     "speaker": {"rings": LOW},

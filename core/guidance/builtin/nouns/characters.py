@@ -51,7 +51,12 @@ CHARACTERS: dict[str, Noun] = {
     ),
     "skeleton": Noun(
         "human skeleton; lich, skeleton warrior",
-        {"bone": "*e8dfc8", "chest": "-221c1a", "eyes": "-1a1512"},
+        {
+            "bone": "*e8dfc8",
+            "chest": "-221c1a",
+            "eyes": "-1a1512",
+            "teeth": "-4a4238",
+        },
         Usual(1.7, FLESH, 0.1),
     ),
     "wizard": Noun(
@@ -94,6 +99,8 @@ CHARACTERS: dict[str, Noun] = {
             "hooves": "+2a1c1c",
             "eyes": "-f6d030",
             "mouth": "-2a0c0c",
+            "pupils": "-1a0c0c",
+            "ribs": "&b3261e",
         },
         Usual(2.0, FLESH, 0.25),
     ),
@@ -185,6 +192,8 @@ CHARACTERS: dict[str, Noun] = {
             "hair": "-b8321e",
             "top": "+8a4cb4",
             "eyes": "-1a2430",
+            "scales": "~14705f",
+            "mouth": "-b0484e",
         },
         Usual(1.8, FLESH, 0.3),
     ),

@@ -14,6 +14,8 @@ MENAGERIE = {
             "tips": "+f8b62c",
             "bill": "-8a4a1c",
             "eyes": "-1a120c",
+            "glints": "-ffffff",
+            "feathers": "~a3341a",
         },
         Usual(1.2, FLESH, 0.04),
     ),

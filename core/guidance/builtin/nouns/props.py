@@ -114,7 +114,14 @@ PROPS = {
         Usual(0.03, GOLD, 0.52),
     ),
     "skull": Noun(
-        "human skull; cranium", {"bone": "*e6dcc4", "eyes": "-1a1512"}, Usual(0.22, CERAMIC, 0.14)
+        "human skull; cranium",
+        {
+            "bone": "*e6dcc4",
+            "eyes": "-1a1512",
+            "teeth": "-3a3228",
+            "cracks": "~8f8468",
+        },
+        Usual(0.22, CERAMIC, 0.14),
     ),
     "tombstone": Noun(
         "gravestone, headstone, grave stone; grave, grave marker",

@@ -200,6 +200,8 @@ TOOLS_AND_TOYS = {
             "saddle": "-b5281f",
             "rockers": "&9a5f2e grain",
             "eyes": "-151212",
+            "glints": "-ffffff",
+            "mouth": "-5a3417",
         },
         Usual(0.9, WOOD, 0.6),
     ),

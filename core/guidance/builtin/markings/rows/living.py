@@ -111,7 +111,7 @@ LIVING: Rows = {
         "breaths": Marking("armour", partial(figures.dots, places=BREATHS, size=0.02, both=True)),
     },
     # Animals.
-    **{noun: {"mouth": MUZZLED} for noun in ("dog", "fox", "bear", "lion")},
+    **{noun: {"mouth": MUZZLED} for noun in ("dog", "fox", "lion")},
     "cat": {
         "whiskers": Marking("muzzle", partial(figures.dots, places=WHISKERS, size=0.075, both=True))
     },
@@ -120,11 +120,6 @@ LIVING: Rows = {
         "belly": Marking(
             "body", partial(figures.patches, at=(0.0, -0.42), size=(0.46, 0.3), both=False)
         ),
-    },
-    "pig": {
-        "nostrils": Marking(
-            "snout", partial(figures.dots, places=[(0.36, 0.0)], size=0.2, both=True)
-        )
     },
     "fish": {"scales": Marking("body", figures.scales)},
     # Clothes.
