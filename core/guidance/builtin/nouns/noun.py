@@ -9,6 +9,10 @@ from typing import NamedTuple
 WOOD, STEEL, GOLD, PLASTIC, RUBBER, STONE = 650.0, 7850.0, 19300.0, 1000.0, 1150.0, 2600.0
 CERAMIC, GLASS, COPPER, FABRIC, LEATHER = 2400.0, 2500.0, 8900.0, 250.0, 900.0
 FLESH, PLANT, WAX, SNOW = 1000.0, 900.0, 900.0, 450.0
+PAPER, CARDBOARD = 750.0, 700.0
+
+# How panes, tyres and eyes look that many things have.
+GLASS_LOOK, TYRES_LOOK, EYES_LOOK = "-26323c . glass", "-1c1c1e . rubber", "-14100e"
 
 
 class Usual(NamedTuple):

@@ -1,4 +1,4 @@
-"""Solids."""
+"""Plain solids, and a heart, a star, a moon and a gear."""
 
 from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun, Usual
 

@@ -1,0 +1,247 @@
+"""Monsters of legends and of horror."""
+
+from core.guidance.builtin.nouns.noun import EYES_LOOK, FLESH, STONE, WOOD, Noun, Usual
+
+MONSTERS = {
+    "goblin": Noun(
+        "; hobgoblin, gremlin, kobold, bugbear, gollum",
+        {
+            "skin": "*6a9a3c",
+            "tunic": "+6e4a2a . leather",
+            "eyes": "-f4d43a",
+            "pupils": "-16140f",
+            "mouth": "-3a1814",
+            "teeth": "-f0e8d0",
+        },
+        Usual(1.1, FLESH, 0.25),
+    ),
+    "orc": Noun(
+        "orcs, ork, orks; orc warrior, half orc, orc chief, uruk hai, ogre",
+        {
+            "skin": "*5f9440",
+            "tusks": "-f0e6c8",
+            "armour": "+777c84 . metal",
+            "leather": "+5e3a24 . leather",
+            "club": "-8a6038 . wooden",
+            "eyes": "-f0c23a",
+        },
+        Usual(2.0, FLESH, 0.25),
+    ),
+    "troll": Noun(
+        "trolls, cave troll; mountain troll, bridge troll, forest troll, swamp troll",
+        {
+            "skin": "*6f98a0",
+            "nose": "+b0788a",
+            "hair": "+43352b",
+            "tusks": "-f0e6c8",
+            "cloth": "+7a4c2c . leather",
+            "club": "-a07444 . wooden",
+            "eyes": "-f2c63a",
+            "pupils": "-1a1512",
+        },
+        Usual(2.6, FLESH, 0.25),
+    ),
+    "golem": Noun(
+        "rock golem; rock monster, stone giant, earth elemental",
+        {
+            "body": "*8d877c mottle stone",
+            "head": "&9a9488 mottle stone",
+            "limbs": "&837d73 mottle stone",
+            "joints": "-4a4640 . stone",
+            "eyes": "-58dcee",
+            "moss": "-5f8a34",
+        },
+        Usual(2.8, STONE, 0.35),
+    ),
+    "cyclops": Noun(
+        "cyclopes, cyclop, one eyed giant; polyphemus, one eyed monster",
+        {
+            "skin": "*c98658",
+            "cloth": "+5e3a26 . leather",
+            "horn": "-efe2c2",
+            "mouth": "-4a1c1c",
+            "whites": "-f4f0e8",
+            "iris": "-3f8fc4",
+            "pupils": "-1c1718",
+        },
+        Usual(3.5, FLESH, 0.25),
+    ),
+    "minotaur": Noun(
+        "minotaurs, bull man; bull demon, minotaur warrior",
+        {
+            "body": "*c78a5c",
+            "fur": "&5f3a24",
+            "horns": "-ece0c4",
+            "loincloth": "+8a2f1e . leather",
+            "axe": "-b4b9bf . metal",
+            "eyes": "-ffc93a",
+        },
+        Usual(2.5, FLESH, 0.21),
+    ),
+    "griffin": Noun(
+        "gryphon, griffon, griffins; hippogriff, baby griffin",
+        {
+            "body": "*c8963e",
+            "feathers": "+f3ede0",
+            "wings": "+8a5c30",
+            "bill": "-f0b428",
+            "tuft": "-6b4222",
+            "eyes": EYES_LOOK,
+            "glints": "-ffffff",
+            "quills": "~5c3a1c",
+        },
+        Usual(2.4, FLESH, 0.3),
+    ),
+    "demon": Noun(
+        "devil; imp, satan, lucifer, fiend",
+        {
+            "skin": "*b3261e",
+            "horns": "-2e2422",
+            "wings": "&6e1418",
+            "hooves": "+2a1c1c",
+            "eyes": "-f6d030",
+            "mouth": "-2a0c0c",
+            "pupils": "-1a0c0c",
+            "ribs": "&b3261e",
+        },
+        Usual(2.0, FLESH, 0.25),
+    ),
+    "gargoyle": Noun(
+        "gargoyles, stone gargoyle, gothic gargoyle; temple guardian",
+        {
+            "body": "*8d8a84 . stone",
+            "wings": "&85827c . stone",
+            "head": "*8d8a84 . stone",
+            "horns": "&7a7771 . stone",
+            "base": "&6f6c66 . stone",
+            "eyes": "-34322f . stone",
+        },
+        Usual(1.2, STONE),
+    ),
+    "yeti": Noun(
+        "abominable snowman; bigfoot, sasquatch, snow monster",
+        {
+            "fur": "*e8eef4 . fabric",
+            "face": "+6f8fb2",
+            "eyes": "-14161c",
+            "mouth": "-3a1c22",
+            "teeth": "-f6f2e4",
+        },
+        Usual(2.6, FLESH, 0.35),
+    ),
+    "vampire": Noun(
+        "dracula, count dracula; nosferatu",
+        {
+            "cape": "*221c26 . fabric",
+            "vest": "+9c1f26 . fabric",
+            "skin": "-e3dcd2",
+            "hair": "-17151a",
+            "fangs": "-f6f4ee",
+            "eyes": "-8e1616",
+            "pupils": "-140808",
+            "buttons": "-e0b03a . golden",
+        },
+        Usual(1.8, FLESH, 0.3),
+    ),
+    "werewolf": Noun(
+        "werewolves, wolfman, wolf man, lycan; wolf monster, gnoll",
+        {
+            "fur": "*5e5650",
+            "muzzle": "+b5a48e",
+            "trousers": "+3b4f7d . fabric",
+            "claws": "-f2ead2",
+            "eyes": "-f2c22e",
+            "nose": "-171517",
+        },
+        Usual(2.1, FLESH, 0.2),
+    ),
+    "zombie": Noun(
+        "the undead, walking dead; ghoul, frankenstein",
+        {
+            "skin": "*7fa066",
+            "shirt": "+8a4a3c . fabric",
+            "trousers": "-3d4656 . fabric",
+            "hair": "-2e2a22",
+            "eyes": "-f2efd8",
+            "mouth": "-3a1416",
+            "pupils": "-1c1718",
+            "stitches": "-2e3a26",
+        },
+        Usual(1.75, FLESH, 0.3),
+    ),
+    "mummy": Noun(
+        "mummies, egyptian mummy; mummified pharaoh, undead pharaoh",
+        {
+            "bandages": "*e6dab6 . fabric",
+            "bands": "&b39c6c . fabric",
+            "gap": "-2a2019",
+            "eyes": "-f2c832",
+            "folds": "~b8a878 . fabric",
+        },
+        Usual(1.75, FLESH, 0.3),
+    ),
+    "skeleton": Noun(
+        "human skeleton; lich, skeleton warrior",
+        {
+            "bone": "*e8dfc8",
+            "chest": "-221c1a",
+            "eyes": "-1a1512",
+            "teeth": "-4a4238",
+        },
+        Usual(1.7, FLESH, 0.1),
+    ),
+    "grim reaper": Noun(
+        "reaper, the reaper, angel of death; soul reaper, ringwraith, dementor",
+        {
+            "robe": "*2e2c34 . fabric",
+            "hood": "-0f0e12 . fabric",
+            "bone": "-efe6cf",
+            "eyes": "-120f10",
+            "handle": "-6d4a2c . wooden",
+            "blade": "-c4cad0 . metal",
+        },
+        Usual(2.2, FLESH, 0.12),
+    ),
+    "monster": Noun(
+        "monsters, furry monster, cute monster, cartoon monster, fluffy monster, friendly monster; "
+        "fuzzy monster, creature, beast, toy monster, little monster, monster toy",
+        {
+            "fur": "*2fa8a4",
+            "paws": "&7fd8c8",
+            "horns": "-f2c65a",
+            "mouth": "-5a1830",
+            "teeth": "-f4f0e8",
+            "eyes": "-f4f0e8",
+            "pupils": "-1c1718",
+            "spots": "~1f7f7c",
+        },
+        Usual(1.2, FLESH, 0.3),
+    ),
+    "slime": Noun(
+        "slimes, slime monster, jelly monster, slime creature, jelly "
+        "slime, blob monster, slime blob, game slime, rpg slime; ooze, goo monster, "
+        "gelatinous cube, slime king",
+        {
+            "body": "*4fc23a . plastic",
+            "drips": "*3aa62c . plastic",
+            "eyes": "-fbfbf6",
+            "pupils": "-14161a",
+            "mouth": "-1d3a18",
+            "glints": "-ffffff . plastic",
+        },
+        Usual(0.6, FLESH, 1.0),
+    ),
+    "mimic": Noun(
+        "mimics, mimic chest, chest mimic, treasure chest mimic, treasure mimic, chest monster, "
+        "monster chest, treasure chest monster, living chest, haunted chest; cursed chest",
+        {
+            "body": "*7a4a24 grain",
+            "bands": "+d0a038 . golden",
+            "teeth": "-f4ecd4",
+            "tongue": "-d8426a",
+            "eyes": "-fbf3c8",
+            "mouth": "-43101c",
+        },
+        Usual(1.0, WOOD, 0.3),
+    ),
+}
