@@ -10,7 +10,8 @@ from scipy import ndimage
 
 from core.guidance.builtin.markings import balls, boards, coats, fronts, prints
 from core.guidance.builtin.markings.markings import unfit_markings
-from core.guidance.builtin.markings.rows.everyday import SCRIPT, YEARS
+from core.guidance.builtin.markings.rows.food_and_plants import YEARS
+from core.guidance.builtin.markings.rows.props_and_arms import SCRIPT
 from core.guidance.builtin.palette import darker, looks, painted
 from core.guidance.builtin.patterns import MARGINS
 from core.guidance.builtin.surfaces import surface_of

@@ -26,7 +26,7 @@ from core.guidance.builtin.markings.markings import (
     has_markings,
     is_marking,
 )
-from core.guidance.builtin.markings.rows.everyday import STICKERS
+from core.guidance.builtin.markings.rows.tools_toys_and_instruments import STICKERS
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.markings.table import MARKINGS
 from core.guidance.builtin.nouns import NOUNS, solid_of

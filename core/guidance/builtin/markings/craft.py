@@ -197,6 +197,7 @@ TILL_BORDER = {
 CASE_PANELS = {
     side: (Plate((0, 0.46), (0.7, 0.3), 0.3, 0.014),) for side in ("front", "back", "sides")
 }
+RECORD_GROOVES = tuple((0.4 + 0.065 * k, 0.43 + 0.065 * k) for k in range(9))
 PRINTED = {"front": (Cells((-0.1, 0.3), (0.62, 0.5), (1, 5), (1, 0.34), 0.5),), "deep": -9.0}
 SHADE_BANDS = ((-1.1, -0.86), (0.86, 1.1))
 PUMP_MARKS = {

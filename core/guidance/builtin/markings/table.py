@@ -1,16 +1,36 @@
 """Which thing has which markings (:mod:`core.guidance.builtin.markings.markings`)."""
 
 from core.guidance.builtin.markings.marking import Rows
+from core.guidance.builtin.markings.rows.aircraft_and_space import AIRCRAFT_AND_SPACE
+from core.guidance.builtin.markings.rows.animals import ANIMALS
 from core.guidance.builtin.markings.rows.buildings import BUILDINGS
-from core.guidance.builtin.markings.rows.built import BUILT
-from core.guidance.builtin.markings.rows.crafts import CRAFTS
-from core.guidance.builtin.markings.rows.creatures import CREATURES
-from core.guidance.builtin.markings.rows.everyday import EVERYDAY
-from core.guidance.builtin.markings.rows.homely import HOMELY
+from core.guidance.builtin.markings.rows.characters import CHARACTERS
+from core.guidance.builtin.markings.rows.clothes import CLOTHES
+from core.guidance.builtin.markings.rows.electronics import ELECTRONICS
+from core.guidance.builtin.markings.rows.flags_and_signs import FLAGS_AND_SIGNS
+from core.guidance.builtin.markings.rows.food_and_plants import FOOD_AND_PLANTS
+from core.guidance.builtin.markings.rows.furniture import FURNITURE
 from core.guidance.builtin.markings.rows.household import HOUSEHOLD
-from core.guidance.builtin.markings.rows.living import LIVING
-from core.guidance.builtin.markings.rows.machines import MACHINES
+from core.guidance.builtin.markings.rows.props_and_arms import PROPS_AND_ARMS
+from core.guidance.builtin.markings.rows.sport import SPORT
+from core.guidance.builtin.markings.rows.tools_toys_and_instruments import (
+    TOOLS_TOYS_AND_INSTRUMENTS,
+)
+from core.guidance.builtin.markings.rows.vehicles import VEHICLES
 
 MARKINGS: Rows = (
-    EVERYDAY | BUILT | LIVING | BUILDINGS | CRAFTS | HOUSEHOLD | HOMELY | MACHINES | CREATURES
+    FURNITURE
+    | HOUSEHOLD
+    | PROPS_AND_ARMS
+    | FLAGS_AND_SIGNS
+    | FOOD_AND_PLANTS
+    | CHARACTERS
+    | ANIMALS
+    | VEHICLES
+    | AIRCRAFT_AND_SPACE
+    | BUILDINGS
+    | ELECTRONICS
+    | CLOTHES
+    | SPORT
+    | TOOLS_TOYS_AND_INSTRUMENTS
 )

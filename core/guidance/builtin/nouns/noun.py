@@ -11,7 +11,7 @@ CERAMIC, GLASS, COPPER, FABRIC, LEATHER = 2400.0, 2500.0, 8900.0, 250.0, 900.0
 FLESH, PLANT, WAX, SNOW = 1000.0, 900.0, 900.0, 450.0
 PAPER, CARDBOARD = 750.0, 700.0
 
-# How panes, tyres and eyes look that many things have.
+# Looks that many things share.
 GLASS_LOOK, TYRES_LOOK, EYES_LOOK = "-26323c . glass", "-1c1c1e . rubber", "-14100e"
 
 

@@ -1,17 +1,21 @@
-"""Buildings: windows, frames, doors, roofs."""
+"""Markings of buildings, and of what stands at a street: windows, frames, doors, roofs, panels."""
 
 from functools import partial
 
 from core.guidance.builtin.markings import (
     boards,
+    craft,
+    devices,
     facades,
+    fittings,
     fronts,
+    homely,
+    machines,
+    outlines,
     prints,
 )
 from core.guidance.builtin.markings.facades import Opening
 from core.guidance.builtin.markings.marking import Marking, Rows
-
-# Buildings.
 
 
 def _glazed(
@@ -128,11 +132,52 @@ BUILDINGS: Rows = {
         **_glazed(COTTAGE_WINDOWS),
         "shutters": Marking("walls", partial(facades.shutters, openings=COTTAGE_FRONT, wide=0.5)),
     },
+    "hut": {
+        "zigzags": Marking(
+            "walls", partial(homely.zigzags, at=0.0, count=16, high=0.13, wide=0.022)
+        ),
+    },
+    "log cabin": {"mullions": Marking("window", partial(facades.frames, openings=WHOLE_FRONT))},
+    "treehouse": _glazed(TREE_WINDOWS),
+    "modern house": {
+        "mullions": Marking("windows", partial(boards.boarding, pitch=0.28, wide=0.014)),
+        "slats": Marking("garage", partial(boards.planks, count=5, wide=0.012)),
+        "door": Marking("walls", partial(facades.panes, openings=MODERN_DOOR, grid=(1, 1))),
+    },
+    "skyscraper": {
+        "mullions": Marking("windows", partial(boards.boarding, pitch=0.11, wide=0.014))
+    },
+    "barn": {
+        "trim": Marking("walls", facades.barn_trim),
+        "door": Marking("walls", facades.barn_door),
+        "hay": Marking("walls", partial(facades.panes, openings=(facades.LOFT,), grid=(1, 1))),
+        "windows": Marking("walls", partial(facades.panes, openings=facades.BARN_WINDOWS)),
+        "seams": Marking("walls", boards.boarding, "wooden"),
+    },
+    "shop": {
+        "letters": Marking("sign", partial(fronts.lettered, text="OPEN", high=0.3)),
+        "frames": Marking("window", partial(facades.frames, openings=SHOP_WINDOWS)),
+        "window": Marking("walls", partial(facades.windows, openings=SHOP_WINDOWS)),
+    },
+    "school": _glazed(SCHOOL_WINDOWS, (1, 2), frame=0.016, sill=0.014),
+    "hospital": _glazed(HOSPITAL_WINDOWS, (2, 1), frame=0.018, sill=0.014),
+    "factory": {
+        "slats": Marking("gate", partial(boards.planks, count=9, wide=0.01)),
+        "gate": Marking("hall", partial(facades.windows, openings=FACTORY_GATES, sill=0.0)),
+        **_glazed(FACTORY_WINDOWS, (4, 2), "hall"),
+    },
+    "gas station": {
+        "letters": Marking("band", partial(fronts.lettered, text="GAS", high=0.085, bold=0.06))
+    },
     "church": {
         "panels": Marking("door", partial(facades.panels, rows=((-0.84, 0.84),))),
         "cross": Marking("walls", partial(prints.stamp, shape="cross", size=0.24, at=(0.0, 0.62))),
         **_glazed(CHURCH_WINDOWS),
         "seams": Marking("roof", partial(facades.tiles, axis=1)),
+    },
+    "castle": {
+        "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),
+        **_glazed(CASTLE_WINDOWS, (1, 1)),
     },
     "tower": {
         "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),
@@ -142,48 +187,76 @@ BUILDINGS: Rows = {
         "bars": Marking("lantern", partial(boards.staves, count=8, wide=0.016)),
         **_glazed(LIGHT_WINDOWS, (1, 2), "tower"),
     },
-    "castle": {
-        "seams": Marking("door", partial(boards.planks, count=5, axis=0, wide=0.012)),
-        **_glazed(CASTLE_WINDOWS, (1, 1)),
-    },
     "windmill": {
         "windows": Marking("walls", partial(facades.panes, openings=MILL_WINDOWS)),
         "lattice": Marking("sails", facades.lattice),
     },
-    "factory": {
-        "slats": Marking("gate", partial(boards.planks, count=9, wide=0.01)),
-        "gate": Marking("hall", partial(facades.windows, openings=FACTORY_GATES, sill=0.0)),
-        **_glazed(FACTORY_WINDOWS, (4, 2), "hall"),
+    "temple": {
+        "frieze": Marking("beam", partial(outlines.laid, **homely.TEMPLE_FRIEZE)),
+        "seams": Marking("roof", partial(facades.tiles, axis=1, pitch=(0.07, 0.12), wide=0.005)),
     },
-    "shop": {
-        "letters": Marking("sign", partial(fronts.lettered, text="OPEN", high=0.3)),
-        "frames": Marking("window", partial(facades.frames, openings=SHOP_WINDOWS)),
-        "window": Marking("walls", partial(facades.windows, openings=SHOP_WINDOWS)),
+    "gate": {
+        "plaque": Marking("piers", partial(outlines.laid, **homely.PIER_PLAQUE), paired=True),
+        "joints": Marking("piers", partial(facades.courses, pitch=(0.16, 0.26)), paired=True),
     },
-    "school": _glazed(SCHOOL_WINDOWS, (1, 2), frame=0.016, sill=0.014),
-    "hospital": _glazed(HOSPITAL_WINDOWS, (2, 1), frame=0.018, sill=0.014),
-    "treehouse": _glazed(TREE_WINDOWS),
-    "barn": {
-        "trim": Marking("walls", facades.barn_trim),
-        "door": Marking("walls", facades.barn_door),
-        "hay": Marking("walls", partial(facades.panes, openings=(facades.LOFT,), grid=(1, 1))),
-        "windows": Marking("walls", partial(facades.panes, openings=facades.BARN_WINDOWS)),
-        "seams": Marking("walls", boards.boarding, "wooden"),
+    "wall": {"joints": Marking("base", partial(boards.planks, count=9, axis=0, wide=0.011))},
+    "bridge": {
+        "bands": Marking("posts", partial(fronts.belts, spans=homely.POST_BANDS)),
+        "joints": Marking("road", partial(boards.planks, count=16, axis=0, wide=0.01)),
     },
-    "log cabin": {"mullions": Marking("window", partial(facades.frames, openings=WHOLE_FRONT))},
-    "skyscraper": {
-        "mullions": Marking("windows", partial(boards.boarding, pitch=0.11, wide=0.014))
+    "fountain": {
+        "tiles": Marking("basin", partial(homely.mosaic, spans=homely.BASIN_TILES, count=36)),
+        "lines": Marking("bowl", partial(fronts.belts, spans=homely.BOWL_LINES)),
+        "bands": Marking("column", partial(fronts.belts, spans=homely.COLUMN_BANDS)),
     },
-    "modern house": {
-        "mullions": Marking("windows", partial(boards.boarding, pitch=0.28, wide=0.014)),
-        "slats": Marking("garage", partial(boards.planks, count=5, wide=0.012)),
-        "door": Marking("walls", partial(facades.panes, openings=MODERN_DOOR, grid=(1, 1))),
-    },
-    "gas station": {
-        "letters": Marking("band", partial(fronts.lettered, text="GAS", high=0.085, bold=0.06))
+    "staircase": {
+        "carpet": Marking("treads", partial(homely.carpet, wide=0.56)),
+        "runner": Marking("body", partial(homely.carpet, wide=0.58, back=0.97)),
+        "panels": Marking("body", partial(outlines.laid, **homely.STAIR_PANELS)),
     },
     "bus stop": {
         "letters": Marking("sign", partial(fronts.lettered, text="BUS", high=0.5, bold=0.06))
     },
-    "fireplace": {"mortar": Marking("body", facades.courses)},
+    "phone booth": {
+        "letters": Marking("sign", partial(outlines.laid, **machines.BOOTH_LETTERS)),
+        "sign": Marking("body", partial(outlines.laid, **machines.BOOTH_SIGN)),
+        "windows": Marking("body", partial(outlines.laid, **machines.BOOTH_WINDOWS)),
+        "seams": Marking("body", partial(outlines.laid, **machines.BOOTH_SEAMS)),
+    },
+    "parking meter": {
+        "marks": Marking("window", devices.meter_marks, by="head"),
+        "badge": Marking("head", partial(outlines.laid, **devices.METER_BADGE)),
+    },
+    "gas pump": {
+        "marks": Marking("face", partial(outlines.laid, **craft.PUMP_MARKS), by="body"),
+        "star": Marking("globe", partial(outlines.laid, **craft.GLOBE_STAR)),
+    },
+    "vending machine": {
+        "letters": Marking("body", partial(fronts.on_sides, text="DRINKS", high=0.34, at=(0, 0.5))),
+        "stripes": Marking("body", partial(outlines.laid, **fittings.VENDING_STRIPES)),
+    },
+    "market stall": {
+        "apples": Marking(
+            "fruit", partial(fronts.belts, spans=homely.STALL_APPLES, axis=0), by="shelf"
+        ),
+        "panels": Marking("counter", partial(outlines.laid, **homely.STALL_PANELS)),
+    },
+    "dumpster": {
+        "arrows": Marking(
+            "body", partial(machines.recycling, at=((-0.31, -0.05), (0.31, -0.05)), size=0.5)
+        ),
+    },
+    "shipping container": {
+        "letters": Marking("ribs", machines.rib_letters, by="body"),
+        "ridges": Marking("body", partial(outlines.laid, **machines.CONTAINER_RIDGES)),
+    },
+    "crane": {
+        "gaps": Marking("mast", partial(machines.truss, along=2, count=4, room=(-0.7, 0.7))),
+        "holes": Marking("jib", partial(machines.truss, along=1, count=7, room=(-0.2, 0.7))),
+    },
+    "water tower": {
+        "seams": Marking("tank", partial(boards.staves, count=18)),
+        "ridges": Marking("roof", partial(craft.spokes, count=12, wide=0.014, reach=(0.12, 2.0))),
+    },
+    "solar panel": {"cells": Marking("lines", prints.solar_cells)},
 }
