@@ -20,13 +20,14 @@ def material(form: str, word: str = "") -> Entry:
     return Entry("material", word or form, form)
 
 
+KETTLE = ("handle", "lid", "lines", "dots")
 WOOD, METAL, GLASS = material("wooden"), material("metal"), material("glass")
 
 
 @pytest.mark.parametrize(
     ("prompt", "main", "of_parts"),
     [
-        ("a wood and metal stool", "wooden", {"legs": "metal"}),
+        ("a wood and metal stool", "wooden", {"legs": "metal", "band": "metal"}),
         ("a metal and wood stool", "metal", {"seat": "wooden"}),
         ("a stool of steel and oak", "metal", {"seat": "oak"}),
         ("chair in wood & leather", "wooden", {"seat": "leather", "back": "leather"}),
@@ -41,7 +42,7 @@ WOOD, METAL, GLASS = material("wooden"), material("metal"), material("glass")
         ("a wooden stone well", "wooden", {"wall": "stone"}),
         ("a brass and glass lantern", "brass", {"glass": "glass"}),
         ("a rattan and metal chair", "rattan", {"legs": "metal"}),
-        ("wood/metal bar stool", "wooden", {"legs": "metal"}),  # and no metal bar
+        ("wood/metal bar stool", "wooden", {"legs": "metal", "band": "metal"}),  # and no metal bar
         ("broom wood and straw", "wooden", {"bristles": "straw"}),
         (
             "teapot of glass and steel",
@@ -104,6 +105,8 @@ def test_a_colour_right_before_a_second_material_goes_with_it():
 
 def test_a_part_that_has_a_material_of_its_own_keeps_it():
     told = read("a wood and metal stool with ceramic legs")
+    assert told["part_materials"] == {"legs": "ceramic", "band": "metal"}
+    told = read("a wood and metal table with ceramic legs")
     assert told["part_materials"] == {"legs": "ceramic"}
     assert "metal: left out, as one material is taken." in told["notes"]
 
@@ -138,10 +141,18 @@ def test_a_second_material_without_a_part_is_left_out_with_its_colour():
             dict.fromkeys(("bands", "lock", "rivets"), "golden"),
         ),
         ("blue and silver fish", ["blue"], {"fins": "silver"}),
-        ("white and gold dragon", ["white"], {"belly": "golden", "wings": "golden"}),
+        (
+            "white and gold dragon",
+            ["white"],
+            {"belly": "golden", "wings": "golden", "ribs": "golden"},
+        ),
         ("black leather and gold sofa", ["black"], {"feet": "golden"}),
-        ("black dragon with gold", ["black"], {"belly": "golden", "wings": "golden"}),
-        ("a kettle, red, chrome", ["red"], {"handle": "chrome", "lid": "chrome"}),
+        (
+            "black dragon with gold",
+            ["black"],
+            {"belly": "golden", "wings": "golden", "ribs": "golden"},
+        ),
+        ("a kettle, red, chrome", ["red"], dict.fromkeys(KETTLE, "chrome")),
         ("silver-blue car", ["silver blue"], {}),
         # What has no part for it is of two colours.
         ("black and gold vase", ["black", "golden yellow"], {}),

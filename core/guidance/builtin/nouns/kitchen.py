@@ -78,7 +78,7 @@ KITCHEN = {
             "spout": "*b8322c . paint",
             "handle": "+241f1d",
             "lid": "&a02a25 . paint",
-            "bands": "+f2e6cf . paint",
+            "lines": "+f2e6cf . paint",
             "dots": "+f2e6cf . paint",
         },
         Usual(0.25, STEEL, 0.04),

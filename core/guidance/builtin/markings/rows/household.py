@@ -29,7 +29,7 @@ HOUSEHOLD: Rows = {
         "bands": Marking("body", partial(fronts.belts, spans=decor.TEAPOT_BANDS)),
     },
     "kettle": {
-        "bands": Marking("body", partial(fronts.belts, spans=devices.KETTLE_BANDS)),
+        "lines": Marking("body", partial(fronts.belts, spans=devices.KETTLE_BANDS)),
         "dots": Marking(
             "body", partial(devices.dots_about, rows=(-0.52, -0.14, 0.24), count=11, radius=0.1)
         ),
