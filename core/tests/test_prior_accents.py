@@ -172,7 +172,7 @@ def test_a_word_of_age_between_a_colour_and_its_part_takes_nothing_away():
     assert parse("a chair with red worn legs").of_parts("color") == {"legs": "red"}
     assert parse("a slate grey car") == Words("car", color="grey", color_form="slate grey")
     assert parse("a \ufb01sh").noun == "fish"  # a ligature
-    assert parse("a hammer with a rubber grip").of_parts("material") == {"handle": "rubber"}
+    assert parse("a hammer with a rubber grip").of_parts("material") == {"grip": "rubber"}
 
 
 def test_a_negation_ends_with_its_phrase_and_a_robots_legs_are_its_limbs():

@@ -130,9 +130,9 @@ FARM_ANIMALS_AND_PETS = {
             "head": "+3a3431",
             "legs": "+3a3431",
             "eyes": "-f0f0f0",
+            "pupils": "-121212",
             "curls": "~c9c2b0",
-        }
-        | {"pupils": "-121212"},
+        },
         Usual(1.2, FLESH, 0.28),
     ),
     "pig": Noun(
