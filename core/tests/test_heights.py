@@ -144,16 +144,19 @@ def house():
         return one, one.areas()
 
 
-def test_a_houses_panes_lie_below_their_frames(house):
+def test_a_houses_panes_lie_below_their_frames_and_its_doors_panels_stand_out(house):
     one, areas = house
     names = [part.name for part in one.painted.paints]
-    verts = one.parts().surface_of(0)[0]
+    parts = one.parts()
+    verts = torch.cat([parts.surface_of(k)[0] for k in range(len(parts.pieces))])
     area = areas.of(verts)
     heights = areas.heights(verts, area)
-    walls, panes, frames = (
-        heights[area == names.index(name)] for name in ("walls", "windows", "frames")
+    walls, panes, frames, door, panels = (
+        heights[area == names.index(name)]
+        for name in ("walls", "windows", "frames", "door", "panels")
     )
     assert panes.median() < walls.median() == 0 < frames.quantile(0.8)
+    assert panels.max() > 0 == door.abs().max()
 
 
 def test_a_basketballs_seams_go_in():
