@@ -351,6 +351,7 @@ def test_a_stated_number_is_where_the_things_own_is():
         for more in ("", " with number 44")
     )
     assert stated.number == "44" and not stated.emblems and not stated.left_out()
+    assert torch.isfinite(stated.shown(torch.zeros(1, 3))).all()  # the visor has no number
     index = list(looks("race car")).index("number")
     own, other = ({one.part: one for one in of.marked.laid}[index] for of in (plain, stated))
     low, high = own.box

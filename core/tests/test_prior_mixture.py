@@ -20,7 +20,7 @@ def material(form: str, word: str = "") -> Entry:
     return Entry("material", word or form, form)
 
 
-KETTLE = ("handle", "lid", "lines", "dots")
+KETTLE = ("handle", "lid", "lines")
 WOOD, METAL, GLASS = material("wooden"), material("metal"), material("glass")
 
 

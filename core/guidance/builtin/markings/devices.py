@@ -69,20 +69,6 @@ def lying_flutes(points: Points, half: Half, count: int) -> Margin:
     return all_of(across, y + 0.5 * half[1], 0.9 * half[1] - y, away - 0.7 * half[0])
 
 
-def dots_about(
-    points: Points, half: Half, rows: Sequence[float], count: int, radius: float
-) -> Margin:
-    """Rows of dots about a pot, every other one moved by half a step; the radius in halves of its
-    width."""
-    x, y, z = points.unbind(1)
-    margins = []
-    for k, up in enumerate(rows):
-        turn = torch.atan2(x, -y) * (count / math.tau) + 0.5 * (k % 2)
-        side = (turn - turn.round()).abs() * (math.tau / count) * torch.hypot(x, y)
-        margins.append(radius * half[1] - torch.hypot(side, z - up * half[2]))
-    return any_of(*margins)
-
-
 def hoops_along(points: Points, half: Half, spans: Sequence[Pair]) -> Margin:
     """About a tube that goes up to the front, from corner to corner of its box; in halves."""
     long = torch.hypot(half[1], half[2])

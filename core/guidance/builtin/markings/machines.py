@@ -30,11 +30,6 @@ def on_four(*outlines: Outline) -> dict[str, tuple[Outline, ...]]:
     return dict.fromkeys(("front", "back", "sides"), outlines)
 
 
-def _roundel(at: Pair, size: float) -> tuple[Outline, ...]:
-    """A star in a ring."""
-    return Disc(at, size, 0.014), Emblem(at, 0.86 * size, "star")
-
-
 def truss(
     points: Points, half: Half, along: int, count: int, room: Pair, bar: float = 0.016
 ) -> Margin:
@@ -133,8 +128,6 @@ JEEP_GRILLE = {
               Plate((0, -0.82), (0.8, 0.1), 0.5)),
     "deep": 0.7,
 }  # fmt: skip
-JEEP_STARS = {"top": _roundel((0, -0.66), 0.3), "sides": _roundel((0.02, 0.1), 0.5),
-              "deep": 0.4, "aside": 0.5}  # fmt: skip
 TRAM_WINDOWS = {
     "front": (Plate((0, 0.27), (0.76, 0.38), 0.2),),
     "back": (Plate((0, 0.27), (0.76, 0.38), 0.2),),

@@ -101,7 +101,6 @@ CARS = {
             "seats": "-3a3026",
             "roof": "+3f4a2c",
             "grille": "-20241c",
-            "stars": "-f1ece0",
         },
         Usual(3.6, STEEL, 0.025),
     ),

@@ -77,7 +77,7 @@ CLOTHES_AND_SHOES = {
             "stripes": "+f4efe4 . fabric",
             "fringes": "+f4efe4 . fabric",
             "knot": "&a82428 . fabric",
-            "lines": "+f4efe4 . fabric",
+            "lines": "~8f2226 . fabric",
         },
         Usual(0.6, FABRIC, 0.03),
     ),

@@ -79,7 +79,6 @@ KITCHEN = {
             "handle": "+241f1d",
             "lid": "&a02a25 . paint",
             "lines": "+f2e6cf . paint",
-            "dots": "+f2e6cf . paint",
         },
         Usual(0.25, STEEL, 0.04),
     ),

@@ -210,8 +210,8 @@ BUILDINGS: Rows = {
         "bands": Marking("column", partial(fronts.belts, spans=homely.COLUMN_BANDS)),
     },
     "staircase": {
-        "carpet": Marking("treads", partial(homely.carpet, wide=0.56)),
-        "runner": Marking("body", partial(homely.carpet, wide=0.58, back=0.97)),
+        "carpet": Marking("treads", partial(homely.carpet, wide=0.56), of="wooden"),
+        "runner": Marking("body", partial(homely.carpet, wide=0.58, back=0.97), of="wooden"),
         "panels": Marking("body", partial(outlines.laid, **homely.STAIR_PANELS)),
     },
     "bus stop": {

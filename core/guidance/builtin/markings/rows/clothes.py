@@ -29,7 +29,7 @@ CLOTHES: Rows = {
     "scarf": {"lines": Marking("wool", partial(fronts.belts, spans=wares.SCARF_LINES))},
     "necktie": {"stripes": Marking("blade", partial(fronts.slanted, pitch=0.3))},
     "glove": {
-        "motif": Marking("body", partial(outlines.laid, **wares.GLOVE_MOTIF)),
+        "motif": Marking("body", partial(outlines.laid, **wares.GLOVE_MOTIF), of="fabric"),
         "ribs": Marking("cuff", partial(outlines.laid, **wares.CUFF_RIBS)),
     },
     "sock": {

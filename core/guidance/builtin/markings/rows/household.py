@@ -30,9 +30,6 @@ HOUSEHOLD: Rows = {
     },
     "kettle": {
         "lines": Marking("body", partial(fronts.belts, spans=devices.KETTLE_BANDS)),
-        "dots": Marking(
-            "body", partial(devices.dots_about, rows=(-0.52, -0.14, 0.24), count=11, radius=0.1)
-        ),
     },
     "stove": {
         "racks": Marking("window", partial(outlines.laid, **fittings.OVEN_RACKS)),

@@ -113,7 +113,6 @@ VEHICLES: Rows = {
     },
     "jeep": {
         "grille": Marking("body", partial(outlines.laid, **machines.JEEP_GRILLE)),
-        "stars": Marking("body", partial(outlines.laid, **machines.JEEP_STARS)),
     },
     "van": {
         "windows": Marking("body", partial(bodywork.windows, **bodywork.VAN_WINDOWS)),
