@@ -136,6 +136,7 @@ class Area(NamedTuple):
     plain: bool  # no more than one colour
     ranges: MaterialRanges
     surface: Surface
+    level: bool = True  # nothing of it stands out of the shape, or is sunk
 
 
 @runtime_checkable

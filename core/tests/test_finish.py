@@ -78,7 +78,8 @@ def test_a_flat_sheets_normal_map_is_the_slope_of_what_stands_out_of_it(strength
     flat, high = UvMesh.of(sheet(4, 0.0)), 0.01
     field = lambda points: (points[:, 2], torch.zeros(len(points), 2))  # noqa: E731
     wave = lambda points, _: high * torch.sin(4 * math.pi * points[:, 0])  # noqa: E731
-    areas = SolidAreas(field, (area(), area()), heights=wave, cells=20)
+    uneven = area()._replace(level=False)
+    areas = SolidAreas(field, (uneven, uneven), heights=wave, cells=20)
     options = {"strength": strength, "size": 128, "seed": 0}
     detail = detail_of(flat, PLAIN, (areas.each[0].surface,), areas, **options)
     level, wavy = (

@@ -105,7 +105,8 @@ def ramp(points, _area):
 
 
 def test_the_slope_is_the_heights_along_the_surface_near_a_border():
-    areas = SolidAreas(_half, TWO, heights=ramp, cells=40)
+    uneven = tuple(one._replace(level=False) for one in TWO)
+    areas = SolidAreas(_half, uneven, heights=ramp, cells=40)
     x = torch.tensor([-0.05, 0.05, 0.9])
     points = torch.stack([x, 0 * x, 0 * x], 1)
     normals = torch.tensor([0.0, 1.0, 0.0]).expand(3, 3)
@@ -117,8 +118,9 @@ def test_the_slope_is_the_heights_along_the_surface_near_a_border():
     # Across the surface there is none, whichever way it faces.
     aside = torch.tensor([1.0, 0.0, 0.0]).expand(3, 3)
     assert areas.slope(points, aside, areas.of(points), 1e-3).abs().max() < 1e-6
-    level = SolidAreas(_half, TWO, cells=40)
-    assert not level.slope(points, normals, areas.of(points), 1e-3).any()
+    # None where nothing has a height, or the area is said to be level.
+    for level in (SolidAreas(_half, uneven, cells=40), SolidAreas(_half, TWO, None, ramp, 40)):
+        assert not level.slope(points, normals, areas.of(points), 1e-3).any()
 
 
 def ball(points):
@@ -155,6 +157,8 @@ def test_a_houses_panes_lie_below_their_frames_and_its_doors_panels_stand_out(ho
         heights[area == names.index(name)]
         for name in ("walls", "windows", "frames", "door", "panels")
     )
+    uneven = {name for name, of in zip(names, areas.each, strict=True) if not of.level}
+    assert uneven == {"windows", "frames", "panels", "seams"}
     assert panes.median() < walls.median() == 0 < frames.quantile(0.8)
     assert panels.max() > 0 == door.abs().max()
 

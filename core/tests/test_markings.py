@@ -126,6 +126,17 @@ def test_a_face_has_two_eyes_with_a_light_in_each(noun):
     assert (points[eyes, 0].abs() > 0.1).all() and (points[eyes, 1] < 0).all()
 
 
+SHINY = [noun for noun, parts in MARKINGS.items() if "glints" in parts and noun not in LIT]
+
+
+@pytest.mark.parametrize("noun", SHINY)
+def test_an_eyeball_has_its_light_in_front_and_mostly_the_eyes_own_colour(noun):
+    points = on_a_ball(40000, 0.1)
+    light = MARKINGS[noun]["glints"].marks(points, 0.1 * UNIT) > 0
+    assert light.any() and light.float().mean() < 0.2
+    assert (points[light, 1] < 0.03).all()  # to the front, or a little to the side
+
+
 def test_an_eighth_part_is_a_marking_as_the_network_draws_seven():
     eight = {noun: list(row.looks)[7:] for noun, row in NOUNS.items() if len(row.looks) > 7}
     left = {noun for noun, parts in eight.items() if not is_marking(noun, parts[0])}

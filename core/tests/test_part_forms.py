@@ -131,7 +131,8 @@ def test_the_parts_are_known_once_an_object_is_drawn():
 def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
     drawn = shipped_prior().prompted("a chair without legs", "").of_object(0)
     legs = list(NOUNS["chair"].looks).index("legs")
-    assert drawn.solid is not None and legs in drawn.solid.absent
+    seams = list(NOUNS["chair"].looks).index("seams")  # a marking: never drawn
+    assert drawn.solid is not None and drawn.solid.absent == (legs, seams)
     verts, faces = drawn.solid.mesh
     low, high = verts.amin(0), verts.amax(0)
     assert high[2] - low[2] < 1.6 * (high[0] - low[0])  # with its legs twice as high as wide

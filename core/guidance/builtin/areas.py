@@ -145,11 +145,12 @@ class SolidAreas:
         area: Int[Tensor, " n"],
         step: float,
     ) -> Float[Tensor, "n 3"]:
-        """See :class:`Areas`. What goes up or down is near a border."""
+        """See :class:`Areas`: near a border, in what is not level."""
         found, depths = torch.zeros_like(points), self._at(points)[:, 1:]
         if self.heights is None or depths.shape[1] == 1:
             return found
-        here = (_second(depths) < UNCLEAR * self.spacing).nonzero().squeeze(1)
+        uneven = area.new_tensor([not one.level for one in self.each]).bool()[area]
+        here = ((_second(depths) < UNCLEAR * self.spacing) & uneven).nonzero().squeeze(1)
         place, mine = points[here], area[here]
         for way in across(normals[here]):
             up, down = (self.heights(place + by * way, mine) for by in (step, -step))

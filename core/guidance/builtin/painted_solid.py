@@ -122,7 +122,11 @@ class PaintedSolid:
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
             surface = surface_of(self.words, part)
-            each += [Area(plain, ranges_of(part.finish, color), surface) for color in colors]
+            uneven = [index in self.marked.uneven] * len(colors)
+            if part.pattern in LINES:
+                uneven[1] = True
+            pairs = zip(colors, uneven, strict=True)
+            each += [Area(plain, ranges_of(part.finish, one), surface, not x) for one, x in pairs]
             shown_on += [index] * len(colors)
         margins = [pattern.margins() for pattern in laid]
         fields = [self.shown, lambda points: self.marked(self.parts.near(points), points)]
@@ -130,7 +134,8 @@ class PaintedSolid:
             fields = [partial(_with, emblem, field) for field in fields]
             paint = emblem.paint
             surface = surface_of(self.words, paint)
-            each.append(Area(True, ranges_of(paint.finish, paint.color), surface))
+            level = emblem.on not in self.marked.uneven
+            each.append(Area(True, ranges_of(paint.finish, paint.color), surface, level))
             margins.append(None)
             shown_on.append(emblem.on)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)

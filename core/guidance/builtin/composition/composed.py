@@ -316,9 +316,11 @@ def composed_heights(
             own = area - start
             start += len(thing.each)
             mine = ((own >= 0) & (own < len(thing.each))).nonzero().squeeze(1)
-            field = in_one(thing.near)
-            away = [at_place(field, place, points[mine])[:, 0] for place in places]
-            copy = torch.stack(away, 1).argmin(1)
+            copy = torch.zeros_like(mine)
+            if len(places) > 1:
+                field = in_one(thing.near)
+                away = [at_place(field, place, points[mine])[:, 0] for place in places]
+                copy = torch.stack(away, 1).argmin(1)
             for index, place in enumerate(places):
                 here = mine[copy == index]
                 found[here] = place.scale * thing.heights(place.into(points[here]), own[here])

@@ -94,6 +94,15 @@ class Marked:
                 found[here] = self._height_on(which, points[here])
         return found
 
+    @property
+    def uneven(self) -> set[int]:
+        """The parts that stand out or are sunk, and what lies on them."""
+        found: set[int] = set()
+        for one in self.laid:  # what bears others comes first
+            if one.height != FLAT or one.on in found:
+                found.add(one.part)
+        return found
+
     def _height_on(self, bearer: int, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """On one part with a solid: the sum of what lies there one on another."""
         found = torch.zeros_like(points[:, 0])
