@@ -44,6 +44,7 @@ from core.prior.things.gadgets import GADGETS
 from core.prior.things.gear import GEAR
 from core.prior.things.harbour import HARBOUR
 from core.prior.things.haulage import HAULAGE
+from core.prior.things.headwear import HEADWEAR
 from core.prior.things.home import HOME
 from core.prior.things.home_fittings import HOME_FITTINGS
 from core.prior.things.household import HOUSEHOLD
@@ -200,6 +201,7 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = (
     | PASTIMES
     | FESTIVE
     | HAULAGE
+    | HEADWEAR
     | SPEED
     | NOVEL
     | CURIOS

@@ -12,7 +12,7 @@ from core.guidance.builtin.words.lexicon import LEXICON, SLOTS, corrected, forms
 from core.guidance.builtin.words.nearest import NEAREST, REAL
 from core.guidance.builtin.words.part_tables import OPTIONS, PART_WORDS
 from core.guidance.builtin.words.slots import Companion, Words
-from core.guidance.builtin.words.vocabulary import parse
+from core.guidance.builtin.words.vocabulary import parse, understood
 from core.guidance.builtin.words.words import (
     COLORS,
     COUNTS,
@@ -269,6 +269,20 @@ def test_what_a_thing_does_and_what_is_near_it_is_not_of_it(prompt, words):
     found = parse(prompt)
     assert found == words
     assert found.notes or not found.left_out
+
+
+@pytest.mark.parametrize(
+    ("prompt", "part", "color"),
+    [
+        ("a robot with green flickering eyes", "eyes", "green"),
+        ("a house with a red crooked roof", "roof", "red"),
+        ("a cauldron with green bubbling potion", "brew", "green"),
+    ],
+)
+def test_a_word_for_how_a_part_is_leaves_it_its_colour(prompt, part, color):
+    found = understood(prompt)
+    assert (found["part_colours"], found["colours"]) == ({part: color}, [])
+    assert found["companions"] == []
 
 
 def test_an_unknown_word_is_refused_with_the_nearest_known_one():

@@ -91,6 +91,27 @@ def mace(draw: Draw) -> Parts:
     }
 
 
+def club(draw: Draw) -> Parts:
+    """Upright: wood that is thick at its top, an iron band around it, spikes or none, a grip."""
+    thick, high, neck = draw(0.36, 0.42), draw(2.3, 2.5), draw(0.13, 0.15)
+    side = [(neck, 0.1), (neck, high * 0.3), (thick * 0.62, high * 0.58), (thick, high * 0.82),
+            (thick * 0.86, high * 0.96), (0.0, high)]  # fmt: skip
+    low, up = high * 0.58, high * 0.68
+    spike = turned(lathe([(0.12, thick * 0.5), (0.03, thick + draw(0.24, 0.3))], 0.02), 1, 90)
+    parts = {
+        "wood": lathe(smooth_curve(side)),
+        "grip": tube((0, 0, 0.16), (0, 0, high * 0.27), neck + 0.05, 0.03),
+        "knob": ball((0, 0, 0.14), neck + 0.09),
+        "band": lathe([(thick * 0.7, low), (thick * 0.88, up)], 0.02),
+    }
+    if draw.has("spikes", 0.5):
+        parts["spikes"] = join(
+            *(moved(around(5, spike, 36 * k), (0, 0, high * (0.76 + 0.12 * k))) for k in range(2)),
+            moved(lathe([(0.13, -0.1), (0.03, 0.3)], 0.02), (0, 0, high)),
+        )
+    return parts
+
+
 def scythe(draw: Draw) -> Parts:
     """Upright, its curved blade at the top, to the left; two pegs to hold it."""
     high, reach, drop = draw(2.55, 2.75), draw(1.15, 1.3), draw(0.7, 0.85)
@@ -297,6 +318,7 @@ ARMS = {
     "spear": spear,
     "halberd": halberd,
     "mace": mace,
+    "club": club,
     "scythe": scythe,
     "crossbow": crossbow,
     "rifle": rifle,

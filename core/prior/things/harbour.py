@@ -9,6 +9,7 @@ from core.prior.solids import (
     box,
     capsule,
     cut,
+    egg,
     grown,
     join,
     lathe,
@@ -19,6 +20,7 @@ from core.prior.solids import (
     ring,
     smooth_curve,
     taper,
+    tilted,
     tube,
     turned,
     within,
@@ -69,6 +71,36 @@ def yacht(draw: Draw) -> Parts:
             both(prism(arch, 0, 0.07, x * 0.48)),
             box((0, y * 0.47, high + 0.35), (x * 0.62, 0.12, 0.065), 0.03),
             ball((0, y * 0.47, high + 0.5), 0.14),
+        ),
+    }  # fmt: skip
+
+
+def speedboat(draw: Draw) -> Parts:
+    """A low pointed hull with a stripe, a raked windscreen, two seats, a motor at the stern."""
+    x, y, deck = draw(0.5, 0.54), draw(1.3, 1.4), draw(0.4, 0.44)
+    hull = _ship(x, y, deck, 0.1)
+    well = box((0, y * 0.42, deck + 0.1), (x * 0.72, y * 0.36, 0.24), 0.06)
+    pane = [(-y * 0.1, deck - 0.06), (y * 0.12, deck + 0.3), (y * 0.2, deck + 0.3),
+            (y * 0.06, deck - 0.06)]  # fmt: skip
+    foot = box((0, y + 0.1, 0.16), (0.09, 0.1, 0.3))
+    seat = join(
+        box((0, 0, 0), (0.19, 0.17, 0.09), 0.05), box((0, 0.16, 0.18), (0.19, 0.07, 0.24), 0.05)
+    )
+    seat = moved(seat, (x * 0.36, y * 0.44, deck - 0.06))
+    wheel = tilted(ring((0, 0, 0), 0.15, 0.05), 60, (-x * 0.36, y * 0.2, deck + 0.12))
+    return {
+        "hull": cut(hull, well),
+        "stripe": within(grown(hull, 0.04), box((0, 0, deck * 0.56), (2, 3, 0.075))),
+        "windscreen": within(prism(pane, 0, x * 0.74), grown(hull, 0.6)),
+        "seats": join(both(seat), wheel),
+        "motor": join(
+            box((0, y + 0.12, deck + 0.16), (0.19, 0.2, 0.22), 0.08), foot,
+            egg((0, y + 0.14, -0.1), (0.13, 0.22, 0.13)),
+        ),
+        "rails": join(
+            both(limb([(x * 0.5, -y * 0.2, deck + 0.02), (x * 0.44, -y * 0.52, deck + 0.22),
+                       (0.06, -y * 0.86, deck + 0.3)], 0.055, 0.055)),
+            tube((0, -y * 0.86, deck), (0, -y * 0.86, deck + 0.3), 0.055),
         ),
     }  # fmt: skip
 
@@ -289,6 +321,7 @@ def sleigh(draw: Draw) -> Parts:
 
 HARBOUR = {
     "yacht": yacht,
+    "speedboat": speedboat,
     "cruise ship": cruise_ship,
     "garbage truck": garbage_truck,
     "space station": fitted(space_station),

@@ -244,10 +244,14 @@ def soldier(draw: Draw) -> Parts:
     r, w = f.head, f.wide
     x, y = w * 0.5, -w - 0.16
     f = f._replace(hand=(x, y, f.top - 0.5))
-    slope, deep = draw(0.16, 0.24), w + draw(0.16, 0.22)
-    low, high = (-w - 0.36, y, f.top - 0.5 - slope), (w + 0.5, y, f.top - 0.5 + slope * 1.1)
+    deep = w + draw(0.16, 0.22)
+    outline = [  # about the hands: the barrel above, the magazine below, the butt at the left
+        (-w - 0.44, -0.2), (-w - 0.44, 0.1), (-w - 0.1, 0.07), (w + 0.1, 0.11), (w + 0.14, 0.06),
+        (w + 0.58, 0.06), (w + 0.58, -0.1), (0.14, -0.12), (0.08, -0.38), (-0.16, -0.34),
+        (-0.08, -0.12), (-w, -0.12),
+    ]  # fmt: skip
+    rifle = turned(prism(outline, 1, 0.1), 1, -draw(8, 18))
     brim = lathe([(r * 1.3, f.z + r * 0.4), (r * 1.16, f.z + r * 0.7)], 0.03)
-    stock = turned(box((0, 0, 0), (0.26, 0.085, 0.15), 0.02), 1, -18)
     elbow = (w + 0.24, -0.1, f.top - 0.58)
     arm = join(
         taper((w * 0.84, 0, f.top - 0.2), elbow, 0.2, 0.17), taper(elbow, f.hand, 0.17, 0.15)
@@ -270,9 +274,7 @@ def soldier(draw: Draw) -> Parts:
         "boots": f.shoes(0.42),
         "skin": join(f.skull(), f.hands()),
         "rifle": join(
-            capsule(low, high, 0.09),
-            moved(stock, (low[0] + 0.1, y, low[2])),
-            box((0.1, y, f.top - 0.68), (0.09, 0.08, 0.2)),
+            moved(rifle, (0, y, f.top - 0.5)),
             f.eyes(),
         ),
     }

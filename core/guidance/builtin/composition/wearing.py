@@ -30,6 +30,7 @@ NO_HEAD = tuple(
     arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem
     leaves claws legs limbs""".split()
 )
+AT_ITS_SIDES = "horns", "sockets"  # what stands out of a hat
 MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
 # Of the head's width below the eyes: where the neck is, at least; and how far on; how low a
 # face may reach.
@@ -96,7 +97,8 @@ def worn(item: Body, wearer: Body) -> Placement:
 
 def _on_head(hat: Body, head: Head) -> Placement:
     low, high = (float(hat.box[0, 2] + share * hat.sides[2]) for share in BAND)
-    band = hat.verts[(hat.verts[:, 2] > low) & (hat.verts[:, 2] < high)]
+    verts = hat.without(*AT_ITS_SIDES)
+    band = verts[(verts[:, 2] > low) & (verts[:, 2] < high)]
     crown = float(band[:, 0].amax() - band[:, 0].amin()) if len(band) else float(hat.sides[0])
     above = max(head.top - head.brow, SUNK)
     # On a frog, whose eyes are on top of its head, it is between them.

@@ -180,6 +180,13 @@ GLOVE_MOTIF = {
     "back": (Emblem((0.12, -0.14), 0.42, "snowflake"),),
     "deep": -1.0,
 }
+CHIN_VENTS = {
+    "front": (
+        Cells((0, -0.62), (0.22, 0.1), (1, 2), (1, 0.5), 0.9),
+        Plate((0.42, -0.58), (0.09, 0.07), 0.8, twice=True),
+    ),
+    "deep": -1.0,
+}
 CUFF_RIBS = {
     side: (Cells((0, 0), (1.0, 1.2), (11, 1), (0.36, 1)),) for side in ("front", "back")
 } | {"deep": 0.3}

@@ -16,8 +16,7 @@ BOATS_AND_SHIPS = {
         Usual(8.0, WOOD, 0.3),
     ),
     "rowboat": Noun(
-        "rowing boat, row boat, rowboats, rowing boats; skiff, jolly boat, punt, lifeboat, "
-        "motorboat, speedboat, dory",
+        "rowing boat, row boat, rowboats, rowing boats; skiff, jolly boat, punt, lifeboat, dory",
         {
             "hull": "*2f6f8f . paint",
             "rim": "&f2ead8 . paint",
@@ -73,6 +72,19 @@ BOATS_AND_SHIPS = {
             "portholes": "-25303a . glass",
         },
         Usual(35.0, STEEL, 0.006),
+    ),
+    "speedboat": Noun(
+        "speed boat, speedboats, motorboat, motor boat, motorboats, powerboat, power boat; "
+        "runabout, ski boat, racing boat, police boat, patrol boat",
+        {
+            "hull": "*f2efe8 . paint",
+            "stripe": "+c4262a . paint",
+            "windscreen": "-9fc3cf . glass",
+            "seats": "-c9a877 . leather",
+            "motor": "-1d1f22 . paint",
+            "rails": "-cfd3d6 . metal",
+        },
+        Usual(6.0, PLASTIC, 0.12),
     ),
     "jet ski": Noun(
         "jetski, water scooter, personal watercraft; wave runner, waverunner, sea scooter",

@@ -28,9 +28,8 @@ HATS_BAGS_AND_JEWELLERY = {
     "beanie": Noun(
         "beanie hat, knitted hat, knit hat, knitted cap, bobble hat, wool hat, woolly hat, "
         "winter hat, woollen hat, woolen hat, pom pom hat, wool cap, winter cap, knit cap; "
-        "toque, ski hat, watch cap, stocking cap, beret, santa hat, santa claus hat, "
-        "christmas hat, chef hat, chef cap, nightcap, night cap, sleeping cap, sailor hat, sailor "
-        "cap, ushanka, skullcap, skull cap",
+        "toque, ski hat, watch cap, stocking cap, beret, sailor hat, sailor cap, ushanka, "
+        "skullcap, skull cap",
         {
             "cap": "*24607e . fabric",
             "ribs": "*2f7496 . fabric",
@@ -77,10 +76,8 @@ HATS_BAGS_AND_JEWELLERY = {
         Usual(0.42, FABRIC, 0.12),
     ),
     "helmet": Noun(
-        "motorcycle helmet, knight helmet, knight's helmet; hard hat, viking helmet, "
-        "bike helmet, bicycle helmet, army helmet, military helmet, space helmet, football helmet, "
-        "construction helmet, safety helmet, racing helmet, crash helmet, firefighter helmet, "
-        "fireman helmet, fire helmet, roman helmet, spartan helmet, samurai helmet, diving helmet",
+        "knight helmet, knight's helmet, medieval helmet; army helmet, military helmet, "
+        "roman helmet, spartan helmet, samurai helmet, diving helmet, gladiator helmet",
         {
             "shell": "*9aa1a9 . metal",
             "visor": "-17191d . glass",
@@ -89,6 +86,53 @@ HATS_BAGS_AND_JEWELLERY = {
             "breaths": "-2a2d31",
         },
         Usual(0.33, PLASTIC, 0.087),
+    ),
+    "viking helmet": Noun(
+        "horned helmet, viking helm, viking's helmet, viking hat; barbarian helmet, norse helmet",
+        {
+            "shell": "*8d949b . metal",
+            "bands": "&b08a45 . golden",
+            "horns": "-eadfc6",
+            "sockets": "&b08a45 . golden",
+            "rivets": "-5d6368 . metal",
+        },
+        Usual(0.4, STEEL, 0.02),
+    ),
+    "motorcycle helmet": Noun(
+        "motorbike helmet, motorcyclist helmet, racing helmet, crash helmet, biker helmet; bike "
+        "helmet, bicycle helmet, football helmet, space helmet, astronaut helmet, pilot helmet",
+        {
+            "shell": "*c22a26 . paint",
+            "visor": "-1b2026 . glass",
+            "trim": "-17181a . rubber",
+            "stripe": "+f2efe8 . paint",
+            "hinges": "-3a3d42 . metal",
+            "vents": "-17181a",
+        },
+        Usual(0.34, PLASTIC, 0.08),
+    ),
+    "hard hat": Noun(
+        "hardhat, construction helmet, safety helmet, construction hat, builder helmet, builder's "
+        "hat, hard hats; miner helmet, mining helmet, firefighter helmet, fireman helmet, fire "
+        "helmet, firefighter hat",
+        {
+            "shell": "*f2b81d . paint",
+            "ridges": "*f2b81d . paint",
+            "brim": "*eab017 . paint",
+            "badge": "+f4f2ec . paint",
+        },
+        Usual(0.32, PLASTIC, 0.06),
+    ),
+    "santa hat": Noun(
+        "santa claus hat, santa's hat, christmas hat, xmas hat, father christmas hat; elf hat, "
+        "gnome hat, nightcap, night cap, sleeping cap",
+        {"cap": "*b81d22 . fabric", "brim": "+f6f3ec . fabric", "pompom": "+f6f3ec . fabric"},
+        Usual(0.34, FABRIC, 0.12),
+    ),
+    "chef hat": Noun(
+        "chef's hat, chef cap, cook hat, cook's hat, baker hat, toque blanche, chef's cap",
+        {"band": "*f4f1ea . fabric", "top": "*f8f6f1 . fabric", "pleats": "~d9d4c8 . fabric"},
+        Usual(0.3, FABRIC, 0.08),
     ),
     "gas mask": Noun(
         "gasmask, respirator, gas masks, respirator mask; dust mask, hazmat mask, military gas "

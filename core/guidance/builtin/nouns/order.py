@@ -791,4 +791,11 @@ ORDER = (
     "pen",
     "notebook",
     "boombox",
+    "viking helmet",
+    "motorcycle helmet",
+    "hard hat",
+    "santa hat",
+    "chef hat",
+    "club",
+    "speedboat",
 )

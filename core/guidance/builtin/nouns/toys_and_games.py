@@ -154,7 +154,7 @@ TOYS_AND_GAMES = {
         Usual(3.6, STEEL, 0.0096),
     ),
     "baseball bat": Noun(
-        "; cricket bat, wooden club, caveman club, club",
+        "; cricket bat",
         {"body": "*d0a05a grain", "grip": "+2a2624 . leather", "knob": "&c08f4a grain"},
         Usual(0.85, WOOD, 0.19),
     ),

@@ -22,7 +22,7 @@ WEAPONS = {
         Usual(2.1, WOOD, 0.16),
     ),
     "mace": Noun(
-        "maces, spiked mace, morning star, morningstar; flail, spiked club, cudgel",
+        "maces, spiked mace, morning star, morningstar; flail",
         {
             "head": "*5a5f66 . metal",
             "spikes": "&b4bac2 . metal",
@@ -32,6 +32,18 @@ WEAPONS = {
             "pommel": "&5a5f66 . metal",
         },
         Usual(0.75, STEEL, 0.0075),
+    ),
+    "club": Noun(
+        "clubs, wooden club, caveman club, spiked club, war club, bludgeon, ogre club; cudgel, "
+        "truncheon, nightstick",
+        {
+            "wood": "*8a5a30 grain",
+            "grip": "+3a2418 . leather",
+            "knob": "&6e4424 grain",
+            "band": "-5a5f66 . metal",
+            "spikes": "-b4bac2 . metal",
+        },
+        Usual(0.9, WOOD, 0.2),
     ),
     "war hammer": Noun(
         "war hammers, warhammer, warhammers, battle hammer, battlehammer, great hammer, "

@@ -12,7 +12,10 @@ from core.guidance.builtin.words.part_names import owns
 from core.guidance.builtin.words.sizes import usual
 
 HEADWEAR = frozenset(
-    ("hat", "wizard hat", "cowboy hat", "pirate hat", "crown", "helmet", "beanie", "baseball cap")
+    (
+        "hat, wizard hat, cowboy hat, pirate hat, santa hat, chef hat, hard hat, crown, helmet, "
+        "viking helmet, motorcycle helmet, beanie, baseball cap"
+    ).split(", ")
 )
 EYEWEAR = frozenset(("sunglasses", "goggles", "vr headset"))
 FACES = frozenset(("gas mask", "mask"))  # over them
@@ -29,9 +32,9 @@ CONTAINERS = frozenset(
     (
         "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
         "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
-        "longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, jeep, golf "
-        "cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, plate, "
-        "dumpster"
+        "speedboat, longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, "
+        "jeep, golf cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, "
+        "plate, dumpster"
     ).split(", ")
 )
 # What is in these with its point, and what has such a point.
@@ -46,8 +49,8 @@ PUT_DOWN = (
     POINTED
     | frozenset(
         """spoon hammer wrench screwdriver paintbrush pencil pen whisk spatula key feather
-    toothbrush hairbrush scissors pliers mace scythe staff pistol revolver rifle shotgun bow arrow
-    flute saw umbrella""".split()
+    toothbrush hairbrush scissors pliers mace club scythe staff pistol revolver rifle shotgun bow
+    arrow flute saw umbrella""".split()
     )
     | {"magic wand", "war hammer", "baseball bat", "rolling pin", "magnifying glass", "ray gun"}
 )

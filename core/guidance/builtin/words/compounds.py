@@ -9,11 +9,13 @@ from collections.abc import Iterator
 from core.guidance.builtin.words.lexicon import PARTS, look_up
 from core.guidance.builtin.words.part_names import is_wide, own_name
 from core.guidance.builtin.words.tokens import LONGEST, Tokens
-from core.guidance.builtin.words.words import LOOKS
+from core.guidance.builtin.words.words import IGNORED_ADJECTIVES, LOOKS
 
 ENDING = "ed"
-# "Gold plated" has no plate.
-OF_ALL = "plated painted glazed coated varnished covered wrapped".split()
+# "Gold plated" has no plate, "crooked" no crook.
+NO_PARTS = IGNORED_ADJECTIVES.union(
+    "plated painted glazed coated varnished covered wrapped".split()
+)
 JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 
@@ -46,7 +48,7 @@ def _meant(tokens: Tokens, at: int) -> str:
     entry = look_up(word, tokens.known)
     if word in JEWELLED:
         return "gem"
-    if entry is None and word.endswith(ENDING) and word not in OF_ALL:
+    if entry is None and word.endswith(ENDING) and word not in NO_PARTS:
         forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
         return next((form for form in forms if form in PARTS), "")
     if entry is not None and entry.slot in LOOKS:  # "a red stone crown", which has stones

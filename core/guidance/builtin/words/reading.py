@@ -191,8 +191,10 @@ class Reading(Stature):
         elif token in SURROUNDINGS:  # "a candle, soft pink lighting"
             self.got.left_out += [*self._looks_before(), token]
         elif self.got.found["noun"] and DOING.fullmatch(token):
-            # "a robot playing guitar"
             self.got.left_out.append(token)
+            if self._is_of_part(at):  # "with green flickering eyes"
+                return 1
+            # "a robot playing guitar"
             self._go_with(token)
             self._of_another = True
         elif self._is_trade(token, at):
@@ -207,6 +209,14 @@ class Reading(Stature):
         elif token not in FILLER:
             return self._correct(token, at)
         return 1
+
+    def _is_of_part(self, at: int) -> bool:
+        """Whether the word only says how a part of the thing is, which follows."""
+        end = self._tokens.qualities_end(at + 1, LOOKS)
+        looks = self._tokens.qualities_begin(at, LOOKS) < at
+        begins = self._tokens.words[at - 1] in (*GOES_WITH, *ARTICLES)
+        part = "".join(self._tokens.words[end : end + 1])
+        return (looks or begins) and owns(self.got.thing, part)
 
     def _is_trade(self, token: str, at: int) -> bool:
         """Whether an unknown word only says what somebody is: "a crocodile podiatrist"."""

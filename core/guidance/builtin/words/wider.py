@@ -48,12 +48,16 @@ _OF_THINGS = {  # the things that may be called so
     ),
     "bike": "motorcycle, scooter, tricycle, bicycle",
     "boat ship vessel": (
-        "sailboat, canoe, rowboat, pirate ship, raft, longship, cargo ship, submarine, spaceship"
+        "sailboat, canoe, rowboat, pirate ship, raft, longship, cargo ship, submarine, spaceship, "
+        "speedboat"
     ),
     "plane airplane aeroplane jet": "biplane, fighter jet, airplane, space shuttle",
     "flower": "sunflower, rose, tulip",
     "tree": "palm, bonsai, christmas tree, oak tree, bamboo plant",
-    "hat": "beanie, baseball cap, crown, wizard hat, cowboy hat, helmet",
+    "hat": (
+        "beanie, baseball cap, crown, wizard hat, cowboy hat, helmet, santa hat, chef hat, hard hat"
+    ),
+    "helmet": "viking helmet, motorcycle helmet, hard hat",
     "cap": "beanie, baseball cap",
     "house home": "modern house, cottage, log cabin, barn, igloo, treehouse",
     "building": "house, cottage, log cabin, barn, lighthouse",

@@ -3,6 +3,7 @@
 from functools import partial
 
 from core.guidance.builtin.markings import (
+    boards,
     craft,
     decor,
     figures,
@@ -49,6 +50,8 @@ CLOTHES: Rows = {
         "studs": Marking("band", partial(wares.studs, count=26, size=0.016)),
     },
     "wizard hat": {"stars": Marking("body", partial(prints.scattered, shape="star", places=STARS))},
+    "motorcycle helmet": {"vents": Marking("shell", partial(outlines.laid, **wares.CHIN_VENTS))},
+    "chef hat": {"pleats": Marking("band", partial(boards.staves, count=22, wide=0.008))},
     "helmet": {"breaths": Marking("shell", partial(outlines.laid, **decor.BREATHS))},
     "backpack": {
         "badge": Marking("pocket", partial(outlines.laid, **fittings.POCKET_BADGE)),
