@@ -60,7 +60,7 @@ def _state(nouns: list[str]) -> str:
     """Of all that decides what the clouds are: the nouns, and what their families are made by."""
     found = hashlib.sha256("\n".join(nouns).encode())
     modules = [Path(str(module.__file__)) for module in (draw, families, solids, stretch)]
-    for file in [Path(__file__), *modules, *sorted(Path(things.__path__[0]).glob("*.py"))]:
+    for file in [Path(__file__), *modules, *sorted(Path(things.__path__[0]).rglob("*.py"))]:
         found.update(file.read_bytes())
     return found.hexdigest()
 

@@ -17,6 +17,7 @@ from torch import Tensor
 Solid = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
 Parts = dict[str, Solid]
 Vector = tuple[float, float, float]
+Point = tuple[float, float]
 
 
 def _norm(*parts: Tensor) -> Tensor:
@@ -204,6 +205,11 @@ def within(solid: Solid, region: Solid) -> Solid:
 def grown(solid: Solid, by: float) -> Solid:
     """``solid`` with its surface moved outwards."""
     return lambda p: solid(p) - by
+
+
+def flattened(solid: Solid, along_y: float) -> Solid:
+    """``solid`` made thinner in y by the factor; a lower bound."""
+    return lambda p: solid(p * p.new_tensor([1, 1 / along_y, 1])) * along_y
 
 
 def join(*solids: Solid) -> Solid:

@@ -1,4 +1,4 @@
-"""Things that are worn or carried."""
+"""Clothes and gloves."""
 
 import math
 
@@ -11,7 +11,6 @@ from core.prior.solids import (
     both,
     box,
     capsule,
-    chain,
     cut,
     egg,
     grown,
@@ -19,259 +18,17 @@ from core.prior.solids import (
     lathe,
     mirrored,
     moved,
-    outlined,
     prism,
     ring,
     smooth_curve,
     taper,
     tilted,
     tube,
+    turned,
     within,
 )
 
-
-def watch(draw: Draw) -> Parts:
-    """A wristwatch: its dial to the front, the strap closed to a loop behind it."""
-    loop, half, wide = draw(0.68, 0.8), draw(0.22, 0.28), draw(0.46, 0.56)
-    z, front = loop + 0.1, -loop - 0.04
-    strap = cut(
-        tube((-half, 0, z), (half, 0, z), loop + 0.09, 0.03),
-        tube((-2, 0, z), (2, 0, z), loop - 0.09),
-    )
-    hour = (draw(0.1, 0.26), z + draw(0.0, 0.16))
-    hands = join(
-        capsule((0, front - 0.18, z), (0, front - 0.18, z + wide * 0.6), 0.06),
-        capsule((0, front - 0.18, z), (hour[0], front - 0.18, hour[1]), 0.06),
-    )
-    return {
-        "strap": join(strap, box((0, loop, z), (half + 0.06, 0.13, 0.16), 0.03)),
-        "case": join(
-            tube((0, front - 0.14, z), (0, front + 0.16, z), wide, 0.05),
-            tube((0, front, z), (wide + 0.13, front, z), 0.1, 0.03),
-        ),
-        "face": tube((0, front - 0.18, z), (0, front, z), wide - 0.1, 0.01),
-        "hands": hands,
-    }
-
-
-def sneaker(draw: Draw) -> Parts:
-    """A sports shoe, its toe to the front."""
-    long, wide, high, low = draw(1.0, 1.15), draw(0.4, 0.47), draw(0.85, 1.05), draw(0.18, 0.24)
-    leg, toe = wide * 0.88, wide - long
-    y, rise = long - leg, (high - 0.68) / (1.4 * long - leg)
-    panel = [(-0.4 * long, 0.1), (y, 0.1), (y, high - 0.38), (-0.4 * long, 0.3)]
-    laces = (
-        capsule((-0.22, v, u), (0.22, v, u), 0.085)
-        for v, u in ((y - k, wide * 0.8 + high - 0.4 - k * rise) for k in (0.35, 0.65, 0.95))
-    )
-    foot = capsule((0, -0.4 * long, 0.3), (0, y, high - 0.38), wide * 0.8)
-    return {
-        "body": cut(
-            join(tube((0, y, 0.1), (0, y, high), leg), foot, prism(panel, 0, wide * 0.8)),
-            tube((0, y, high - 0.3), (0, y, high + 1), leg - 0.14),
-            box((0, 0, -0.9), (2, 3, 1)),
-        ),
-        "sole": join(
-            tube((0, toe, 0), (0, toe, low), wide),
-            tube((0, y, 0), (0, y, low), leg + 0.05),
-            prism(mirrored([(wide, toe), (leg + 0.05, y)]), 2, low / 2, low / 2),
-        ),
-        "laces": join(*laces),
-        "stripes": both(box((wide * 0.8, y - 0.36, 0.42), (0.08, 0.08, 0.2))),
-        "toe": cut(ball((0, toe, 0.12), wide * 0.88), box((0, 0, -0.9), (2, 3, 1))),
-    }
-
-
-def boot(draw: Draw) -> Parts:
-    """A leather boot: a round toe, a welted sole with a heel, a harness strap, a padded cuff."""
-    long, wide, high, leg = draw(0.88, 1.0), draw(0.35, 0.39), draw(1.7, 1.95), draw(0.37, 0.42)
-    back, low, toe = long - leg, draw(0.2, 0.26), wide - long
-    ankle = (0, back - 0.02, 0.78)
-    foot = chain([(ankle, leg * 0.9), ((0, -0.1, 0.42), wide), ((0, toe, low + 0.06), wide)])
-    heel = chain([(ankle, leg * 0.9), ((0, back + 0.02, low + 0.08), leg * 0.9)])
-    shaft = lathe([(leg * 0.9, 0.7), (leg * 0.94, 1.0), (leg, high)], 0, (0, back))
-    hole = tube((0, back, high - 0.3), (0, back, high + 1), leg - 0.12)
-    floor = box((0, 0, low - 1.02), (2, 2, 1))
-    edge, rear = wide + 0.06, leg * 0.9 + 0.07
-    plan = [(0.0, toe - edge), (edge * 0.72, toe - edge * 0.7), (edge, toe)]
-    plan += [(edge * 0.94, -0.1), (rear * 0.92, back - 0.3), (rear, back + 0.02)]
-    plan += [(rear * 0.7, back + 0.02 + rear * 0.7), (0.0, back + 0.02 + rear)]
-    outline = mirrored(smooth_curve(plan, 3))
-    arch = box((0, -0.01, 0), (2, 0.24, 0.1))
-    band = tube((0, back, 0.68), (0, back, 0.86), leg * 0.9 + 0.06, 0.03)
-    return {
-        "body": cut(join(blend(0.12, foot, heel), shaft), hole, floor),
-        "sole": cut(prism(outline, 2, low / 2, low / 2), arch),
-        "cuff": cut(tube((0, back, high - 0.18), (0, back, high + 0.06), leg + 0.07, 0.07), hole),
-        "strap": join(band, box((leg * 0.9 + 0.03, back, 0.77), (0.08, 0.12, 0.13), 0.05)),
-    }
-
-
-def high_heel(draw: Draw) -> Parts:
-    """A lady's pump on a high heel, its pointed toe to the front; the heel is slim or a block."""
-    long, wide, high = draw(1.0, 1.08), draw(0.37, 0.41), draw(0.78, 0.92)
-    seat, front, slim = long - 0.34, -0.36 * long, wide * 0.86
-    arch = smooth_curve([(-long, 0.16), (front, 0.16), (0.3 * long, high * 0.74)], 4)
-    arch += [(seat - 0.1, high), (long + 0.1, high + 0.05)]
-    rim = [(long + 0.1, high + 0.6), (seat, high + 0.43), (0.25 * long, high * 0.74 + 0.36)]
-    rim = smooth_curve([*rim, (front * 0.55, 0.44), (front * 1.15, 0.62)], 4)
-    foot = [((0, front, 0.24), wide), ((0, 0.3 * long, high * 0.74 + 0.22), slim)]
-    foot += [((0, seat, high + 0.24), slim)]
-    shell = chain([((0, 0.12 - long, 0.22), 0.12), *foot])
-    room = [(v, z + 0.16) for v, z in arch if v >= front]
-    hollow = within(
-        chain(((0, v, z + 0.1), radius - 0.15) for (_, v, z), radius in foot),
-        prism([*room, (long, 3), (front * 1.1, 3)], 0, 2),
-    )
-    under = [*arch[:-1], (seat + 0.1, high + 0.03)]
-    plan = [(wide * 0.78, front), (slim * 0.62, 0.3 * long), (slim * 0.74, seat)]
-    plan = [(0.06, 0.1 - long), *smooth_curve([*plan, (0.1, seat + slim * 0.7)], 3)]
-    spike = [(0.11, 0), (0.1, high * 0.4), (0.14, high * 0.7), (0.22, high + 0.08)]
-    block = [(0.2, 0), (0.19, high * 0.5), (0.23, high + 0.08)]
-    bow = join(
-        ball((0, 0, 0), 0.13),
-        both(prism([(0.04, -0.07), (0.34, -0.18), (0.34, 0.18), (0.04, 0.07)], 1, 0.09)),
-    )
-    return {
-        "body": cut(within(shell, prism([*arch, *rim, (-2, 0.62), (-2, 0.16)], 0, 2)), hollow),
-        "heel": lathe(block if draw.chance(0.25) else spike, 0, (0, seat + 0.05)),
-        "sole": outlined(
-            [*((v, z + 0.04) for v, z in under), *((v, z - 0.16) for v, z in reversed(under))], plan
-        ),
-        "bow": tilted(bow, -60, (0, front * 1.2, 0.24 + wide * 0.92)),
-    }
-
-
-def helmet(draw: Draw) -> Parts:
-    """A knight's: a slit to look through, a plume over its top and back."""
-    wide, high = draw(0.7, 0.8), draw(0.9, 1.05)
-    dome = [
-        (wide * math.cos(k * math.pi / 24), high + wide * math.sin(k * math.pi / 24))
-        for k in range(13)
-    ]
-    hollow = tube((0, 0, -1), (0, 0, 0.35), wide - 0.15)
-    slot = box((0, -wide, high), (wide * 0.8, wide * 0.75, 0.11))
-    strip = box((0, -wide, high * 0.45), (0.11, 0.12, high * 0.45))
-    rim = join(tube((0, 0, 0), (0, 0, 0.2), wide + 0.06), strip)
-    back, up = 0.14, high + draw(0.16, 0.24)
-    return {
-        "shell": cut(lathe([(wide, 0.05), *dome]), hollow, slot),
-        "visor": tube((0, 0, high - 0.2), (0, 0, high + 0.2), wide - 0.1),
-        "crest": tube((-0.12, back, up), (0.12, back, up), wide),
-        "rim": cut(rim, hollow),
-    }
-
-
-def baseball_cap(draw: Draw) -> Parts:
-    """A cap with its brim to the front, a round badge above it."""
-    wide, high, reach = draw(0.72, 0.8), draw(0.76, 0.9), draw(0.62, 0.78)
-    deep, side = wide * 1.06, wide * draw(0.86, 0.96)
-    half = [(0, -deep - reach), (side * 0.55, -deep - reach * 0.88), (side * 0.92, -deep - 0.2)]
-    plan = smooth_curve([*half, (side, -deep * 0.55), (side * 0.8, -deep * 0.2)], 5)
-    brim = grown(prism(mirrored(plan), 2, 0.05), 0.04)
-    # Where on the dome the badge sits, and the way out of it.
-    at, size = math.radians(draw(36, 42)), draw(0.23, 0.28)
-    y, z = -deep * math.cos(at), 0.04 + high * math.sin(at)
-    out = (math.cos(at) / deep, math.sin(at) / high)
-    dy, dz = (u / math.hypot(*out) for u in out)
-    dome = egg((0, 0, 0.04), (wide, deep, high))
-    return {
-        "cap": cut(dome, box((0, 0, -1), (2, 2, 1))),
-        "brim": tilted(brim, draw(2, 7), (0, 0, 0.2)),
-        "button": egg((0, 0, high + 0.07), (0.15, 0.15, 0.1)),
-        "badge": tube(
-            (0, y + dy * 0.2, z - dz * 0.2), (0, y - dy * 0.08, z + dz * 0.08), size, 0.03
-        ),
-    }
-
-
-def glove(draw: Draw) -> Parts:
-    """A glove, its fingers up and its thumb to the right; some are mittens."""
-    wide, palm, thick = draw(0.42, 0.5), draw(0.62, 0.75), draw(0.17, 0.21)
-    low, finger = 0.5, draw(0.52, 0.7)
-    top = low + palm
-    if draw.chance(0.25):
-        fingers = [egg((0, 0, top), (wide, thick + 0.05, finger * 1.15))]
-    else:
-        reach = (0.82, 1.0, 0.94, 0.68)
-        fingers = [
-            capsule(
-                (wide * (0.75 - 0.5 * k), 0, top - 0.1),
-                (wide * (0.9 - 0.6 * k), 0, top + finger * reach[k]),
-                wide * 0.25,
-            )
-            for k in range(4)
-        ]
-    thumb = taper(
-        (wide * 0.6, -0.04, low + 0.25), (wide + 0.36, -0.08, low + palm * 0.95), 0.19, 0.14
-    )
-    hand = egg((0, 0, low + palm * 0.5), (wide * 1.08, thick + 0.06, palm * 0.72))
-    flare = draw(0.9, 1.15)
-    cuff = [
-        (-wide * flare, 0),
-        (wide * flare, 0),
-        (wide * 0.8, low + 0.1),
-        (-wide * 0.8, low + 0.1),
-    ]
-    return {
-        "body": blend(0.06, hand, thumb, *fingers),
-        "cuff": prism(cuff, 1, thick),
-        "band": box((0, 0, low + 0.06), (wide * 0.9, thick + 0.06, 0.09), 0.04),
-    }
-
-
-def backpack(draw: Draw) -> Parts:
-    """A school bag: a pocket in front, straps at the back."""
-    x, y, high, soft = draw(0.6, 0.7), draw(0.32, 0.4), draw(1.5, 1.75), draw(0.18, 0.28)
-    pocket = draw(0.55, 0.7)
-    strap = cut(
-        ring((x * 0.5, y * 0.35, high * 0.5), high * 0.36, 0.1, axis=0),
-        box((0, -1 + y * 0.4, 0), (2, 1, 3)),
-    )
-    clasp = box((x * 0.4, -y - 0.24, pocket * 0.75), (0.08, 0.08, 0.16), 0.02)
-    return {
-        "body": box((0, 0, high / 2), (x, y, high / 2), soft),
-        "pocket": box((0, -y - 0.02, pocket * 0.55), (x * 0.8, 0.24, pocket * 0.5), 0.12),
-        "flap": box((0, -0.08, high * 0.82), (x + 0.05, y + 0.04, high * 0.2), 0.14),
-        "straps": both(strap),
-        "handle": cut(ring((0, 0, high - 0.02), 0.22, 0.09, axis=1), box((0, 0, 0), (2, 2, 1))),
-        "buckles": join(both(clasp), box((0, -y - 0.1, high * 0.64), (0.1, 0.08, 0.14), 0.02)),
-    }
-
-
-def handbag(draw: Draw) -> Parts:
-    """A lady's bag with a round handle."""
-    low, top, high, y = draw(0.8, 0.95), draw(0.55, 0.75), draw(0.85, 1.05), draw(0.26, 0.34)
-    shape = [(-low, 0), (low, 0), (top, high), (-top, high)]
-    flap = [(-top - 0.02, high + 0.04), (-top - 0.1, high * 0.52), (0, high * draw(0.3, 0.42))]
-    flap += [(top + 0.1, high * 0.52), (top + 0.02, high + 0.04)]
-    bow = ring((0, 0, high), top * draw(0.62, 0.8), 0.095, axis=1)
-    return {
-        "body": prism(shape, 1, y),
-        "flap": prism(flap, 1, y * 0.5 + 0.06, -y * 0.5),
-        "handle": cut(bow, box((0, 0, high - 1.05), (2, 2, 1))),
-        "clasp": box((0, -y - 0.06, high * 0.42), (0.12, 0.08, 0.12), 0.03),
-    }
-
-
-def suitcase(draw: Draw) -> Parts:
-    """A travel case with a handle, two straps with buckles, blocks about its corners and feet."""
-    x, z, y = draw(1.14, 1.18), draw(0.7, 0.74), draw(0.36, 0.39)
-    low, at = 0.22, x * 0.47
-    mid, top = low + z, low + 2 * z
-    corner = box((x - 0.08, 0, z - 0.08), (0.15, y + 0.07, 0.15), 0.06)
-    strap = box((at, 0, 0), (0.11, y + 0.07, z + 0.07), 0.03)
-    grip = join(
-        both(box((0.25, 0, top + 0.13), (0.1, 0.12, 0.22), 0.03)),
-        box((0, 0, top + 0.3), (0.35, 0.12, 0.11), 0.05),
-    )
-    return {
-        "body": box((0, 0, mid), (x, y, z), 0.1),
-        "bands": moved(join(both(corner, 0, 2), both(strap)), (0, 0, mid)),
-        "handle": grip,
-        "feet": both(box((x - 0.14, 0, 0.13), (0.13, y * 0.84, 0.13), 0.03)),
-        "locks": both(box((at, -y - 0.07, mid + z * 0.34), (0.18, 0.09, 0.15), 0.04)),
-    }
+_QUARTER = [k * math.pi / 12 for k in range(7)]
 
 
 def shirt(draw: Draw) -> Parts:
@@ -357,18 +114,235 @@ def dress(draw: Draw) -> Parts:
     }
 
 
+def jacket(draw: Draw) -> Parts:
+    """As if worn by someone unseen: zipped half way over a shirt, lapels or a hood, pockets."""
+    wide, high, y, soft = draw(0.5, 0.54), draw(1.42, 1.52), draw(0.31, 0.34), 0.2
+    hood, low = draw.chance(0.35), draw(0.58, 0.61) * high
+    half = [(0, 0.02), (wide, 0.02), (wide, high - 0.32), (wide - 0.1, high - 0.14), (0.2, high)]
+    half += [(0, high)]
+    trunk = [(max(u - soft, 0.0), min(max(v, soft), high - soft)) for u, v in half]
+    shoulder, wrist = (wide - 0.1, 0, high - 0.28), (wide + draw(0.46, 0.52), -0.06, high * 0.24)
+    start, end = (
+        tuple(s + (w - s) * t for s, w in zip(shoulder, wrist, strict=True)) for t in (0.9, 1.12)
+    )
+    ends = [(wide + 0.07 - 0.2 * (1 - math.cos(a)), y - 0.14 + 0.2 * math.sin(a)) for a in _QUARTER]
+    hem = [*mirrored(ends), *((-u, -v) for u, v in mirrored(ends))]
+    vee = mirrored([(0.06, low), (0.29, high - 0.14), (0.2, high - 0.08)])
+    lapel = [(0.08, low - 0.06), (0.2, high - 0.06), (0.36, high - 0.12), (0.44, high * 0.76)]
+    if hood:
+        collar = join(
+            tilted(ring((0, 0, 0), 0.27, 0.14), 14, (0, 0, high + 0.02)),
+            egg((0, y, high - 0.04), (0.42, 0.26, 0.34)),
+        )
+    else:
+        collar = join(
+            both(grown(prism(lapel, 1, 0.06, -y), 0.03)),
+            tilted(
+                cut(
+                    lathe([(0.26, -0.14), (0.35, 0.0), (0.3, 0.2)], 0.02),
+                    tube((0, 0, -1), (0, 0, 1), 0.22),
+                ),
+                8,
+                (0, 0.02, high),
+            ),
+        )
+    return {
+        "body": join(
+            both(grown(prism(trunk, 1, y - soft), soft)), both(taper(shoulder, wrist, 0.25, 0.19))
+        ),
+        "shirt": join(
+            prism(vee, 1, 0.08, -y + 0.03), tube((0, 0, high - 0.2), (0, 0, high + 0.04), 0.26)
+        ),
+        "collar": collar,
+        "cuffs": join(both(tube(start, end, 0.24, 0.05)), grown(prism(hem, 2, 0.1, 0.1), 0.03)),
+        "pockets": both(box((wide * 0.56, -y, high * 0.36), (0.16, 0.09, 0.13), 0.04)),
+        "zip": box((0, -y, (low + 0.06) / 2), (0.07, 0.13, (low - 0.06) / 2), 0.02),
+    }
+
+
+def cape(draw: Draw) -> Parts:
+    """A cloak as on a bust: open in front, wider below, a collar that stands, a clasp."""
+    top, foot, high = draw(0.34, 0.37), draw(0.84, 0.92), draw(1.96, 2.1)
+    thick = 0.15
+    outside = [(0, 0), (foot, 0), (top + 0.14, high * 0.72), (top, high), (0, high)]
+    inside = [(0, -0.1), (foot - thick, -0.1), (top + 0.14 - thick, high * 0.72),
+              (top - thick, high + 0.1), (0, high + 0.1)]  # fmt: skip
+    gap = prism([(0.0, 0.06), (-0.62 * foot, -2.0), (0.62 * foot, -2.0)], 2, high, high / 2)
+    rise = high + draw(0.2, 0.24)
+    brim = [(top - 0.02, high - 0.06), (top + 0.16, rise), (top + 0.02, rise), (top - 0.16, high)]
+    narrow = prism([(0.0, 0.1), (-0.5, -1.0), (0.5, -1.0)], 2, high, high)
+    return {
+        "cloth": cut(lathe(outside), lathe(inside), gap),
+        "collar": cut(lathe(brim), narrow),
+        "clasp": join(
+            both(ball((0.26, -0.3, high - 0.02), 0.11)),
+            box((0, -0.34, high - 0.02), (0.26, 0.07, 0.07)),
+        ),
+    }
+
+
+def scarf(draw: Draw) -> Parts:
+    """Wound about a neck that is not there, both ends hang down before it, with fringes."""
+    wide, thick, long = draw(0.5, 0.56), draw(0.25, 0.29), draw(1.05, 1.25)
+    z, lean = 1.5, draw(7, 11)
+    half, y = 0.24, -wide - 0.12
+    loops = join(
+        tilted(ring((0, 0, 0), wide, thick), 14, (0, 0, z)),
+        tilted(ring((0, 0, 0), wide * 0.94, thick * 0.9), -4, (0, 0.02, z + 0.3)),
+    )
+
+    def hung(solid: Solid, side: float) -> Solid:
+        return moved(turned(solid, 1, side * lean), (-0.2 * side, y - 0.1 * (side > 0), z - 0.1))
+
+    def end(share: float) -> Solid:
+        tall = long * share
+        return box((0, 0, -tall / 2), (half, 0.1, tall / 2), 0.04)
+
+    def bands(share: float) -> Solid:
+        low = -long * share
+        return join(*(box((0, 0, low + at), (half + 0.025, 0.125, 0.075)) for at in (0.16, 0.44)))
+
+    def fringe(share: float) -> Solid:
+        low = -long * share
+        tufts = (tube((u, 0, low - 0.17), (u, 0, low + 0.04), 0.08) for u in (-0.17, 0, 0.17))
+        return join(*tufts)
+
+    sides = ((-1, 0.84), (1, 1.0))
+    return {
+        "wool": join(loops, *(hung(end(share), side) for side, share in sides)),
+        "stripes": join(*(hung(bands(share), side) for side, share in sides)),
+        "fringes": join(*(hung(fringe(share), side) for side, share in sides)),
+        "knot": egg((0, y - 0.14, z - 0.06), (0.3, 0.2, 0.26)),
+    }
+
+
+def necktie(draw: Draw) -> Parts:
+    """Tied and hung up: a loop, a knot, a blade that widens to its point, slanted stripes."""
+    high, wide, top = draw(1.5, 1.7), draw(0.34, 0.42), 0.16
+    tip, knot, y = wide * 0.9, draw(0.24, 0.29), 0.1
+    z = high
+
+    def blade(grow: float, half: float) -> Solid:
+        half_shape = [(wide + grow, tip), (top + grow, z)]
+        shape = [(0, -grow), *mirrored(half_shape)]
+        return grown(prism(shape, 1, half), 0.04)
+
+    step, rise = draw(0.46, 0.56), draw(0.6, 0.9)
+    bands = [
+        prism([(-1, b - rise), (1, b + rise), (1, b + rise + 0.17), (-1, b - rise + 0.17)], 1, 1)
+        for b in (tip * 0.75 + step * k for k in range(3))
+    ]
+    head = [(-knot, z + 0.36), (-top - 0.02, z - 0.06), (top + 0.02, z - 0.06), (knot, z + 0.36)]
+    x = wide * 0.62
+    tail = [(x, 0.42), (x + 0.26, 0.62), (0.18, z), (-0.12, z), (x - 0.22, 0.66)]
+    hoop = cut(tube((0, 0, -0.12), (0, 0, 0.12), 0.42, 0.03), tube((0, 0, -1), (0, 0, 1), 0.28))
+    loop = turned(hoop, 0, -32)
+    return {
+        "blade": blade(0.0, y - 0.04),
+        "knot": grown(prism(head, 1, 0.12, -0.03), 0.04),
+        "stripes": within(blade(0.0, y + 0.01), join(*bands)),
+        "tail": grown(prism(tail, 1, 0.05, 0.14), 0.03),
+        "loop": moved(loop, (0, 0.36, z + 0.42)),
+    }
+
+
+def bow_tie(draw: Draw) -> Parts:
+    """A bow tie, upright."""
+    x, high, pinch, y = draw(0.95, 1.1), draw(0.45, 0.6), draw(0.16, 0.22), draw(0.15, 0.2)
+    wing = [(0, -pinch), (x * 0.8, -high), (x, -high * 0.85), (x * 0.92, 0), (x, high * 0.85)]
+    solid = prism([*wing, (x * 0.8, high), (0, pinch)], 1, y)
+    knot = draw(0.2, 0.26)
+    fold = both(prism([(0.1, -0.06), (x * 0.6, -0.11), (x * 0.6, 0.11), (0.1, 0.06)], 1, y + 0.05))
+    parts = {
+        "body": both(solid),
+        "knot": box((0, 0, 0), (knot, y + 0.12, knot * 1.2), 0.1),
+        "folds": fold,
+    }
+    return {name: moved(part, (0, 0, high)) for name, part in parts.items()}
+
+
+def _oval(wide: float, deep: float, low: float, high: float) -> Solid:
+    """An upright wall's filling: an oval between two heights."""
+    turns = [math.tau * k / 48 for k in range(48)]
+    outline = [(wide * math.cos(t), deep * math.sin(t)) for t in turns]
+    return prism(outline, 2, (high - low) / 2, (high + low) / 2)
+
+
+def belt(draw: Draw) -> Parts:
+    """Closed, its great buckle to the front; the free end lies over it beside the buckle."""
+    wide, deep, half = draw(0.95, 1.05), draw(0.76, 0.86), draw(0.19, 0.22)
+    frame, reach = half + 0.14, draw(0.56, 0.66)
+    strap = cut(_oval(wide, deep, 0, 2 * half), _oval(wide - 0.15, deep - 0.15, -1, 2))
+    end = cut(
+        _oval(wide + 0.1, deep + 0.1, 0.02, 2 * half - 0.02), _oval(wide - 0.05, deep - 0.05, -1, 2)
+    )
+    region = prism(
+        [(0, half - 1), (reach, half - 1), (reach + 0.2, half), (reach, half + 1), (0, half + 1)],
+        1,
+        1,
+        -1,
+    )
+    y = -deep - 0.06
+    window = box((0, y, half), (frame - 0.13, 1, frame - 0.15))
+    prong = capsule((-frame + 0.06, y - 0.08, half), (frame - 0.08, y - 0.1, half), 0.075)
+    holes = [tube((u, -2, half), (u, 0, half), 0.07) for u in (-0.62, -0.42)]
+    dots = within(
+        cut(_oval(wide + 0.02, deep + 0.02, 0, 2 * half), _oval(wide - 0.17, deep - 0.17, -1, 2)),
+        join(*holes),
+    )
+    keeper = box((reach * 0.8, -deep * 0.9, half), (0.085, 0.2, half + 0.075), 0.02)
+    return {
+        "strap": join(strap, within(end, region)),
+        "buckle": join(cut(box((0, y, half), (frame + 0.04, 0.1, frame), 0.03), window), prong),
+        "keeper": keeper,
+        "holes": dots,
+    }
+
+
+def glove(draw: Draw) -> Parts:
+    """A glove, its fingers up and its thumb to the right; some are mittens."""
+    wide, palm, thick = draw(0.42, 0.5), draw(0.62, 0.75), draw(0.17, 0.21)
+    low, finger = 0.5, draw(0.52, 0.7)
+    top = low + palm
+    if draw.chance(0.25):
+        fingers = [egg((0, 0, top), (wide, thick + 0.05, finger * 1.15))]
+    else:
+        reach = (0.82, 1.0, 0.94, 0.68)
+        fingers = [
+            capsule(
+                (wide * (0.75 - 0.5 * k), 0, top - 0.1),
+                (wide * (0.9 - 0.6 * k), 0, top + finger * reach[k]),
+                wide * 0.25,
+            )
+            for k in range(4)
+        ]
+    thumb = taper(
+        (wide * 0.6, -0.04, low + 0.25), (wide + 0.36, -0.08, low + palm * 0.95), 0.19, 0.14
+    )
+    hand = egg((0, 0, low + palm * 0.5), (wide * 1.08, thick + 0.06, palm * 0.72))
+    flare = draw(0.9, 1.15)
+    cuff = [
+        (-wide * flare, 0),
+        (wide * flare, 0),
+        (wide * 0.8, low + 0.1),
+        (-wide * 0.8, low + 0.1),
+    ]
+    return {
+        "body": blend(0.06, hand, thumb, *fingers),
+        "cuff": prism(cuff, 1, thick),
+        "band": box((0, 0, low + 0.06), (wide * 0.9, thick + 0.06, 0.09), 0.04),
+    }
+
+
 CLOTHES = {
-    "watch": watch,
-    "sneaker": sneaker,
-    "boot": boot,
-    "high heel": high_heel,
-    "helmet": helmet,
-    "baseball cap": baseball_cap,
-    "glove": glove,
-    "backpack": backpack,
-    "handbag": handbag,
-    "suitcase": suitcase,
     "shirt": shirt,
     "trousers": trousers,
     "dress": dress,
+    "jacket": jacket,
+    "cape": cape,
+    "scarf": scarf,
+    "necktie": necktie,
+    "bow tie": bow_tie,
+    "belt": belt,
+    "glove": glove,
 }

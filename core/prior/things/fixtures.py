@@ -1,4 +1,4 @@
-"""What is fixed in a house, and what stands about it or in a shop."""
+"""Fixtures and appliances of a house, cages and a shopping cart."""
 
 import math
 
@@ -79,6 +79,32 @@ def radiator(draw: Draw) -> Parts:
     }
     # The valve makes it longer to the right.
     return {name: moved(solid, (-0.27, 0, 0)) for name, solid in parts.items()}
+
+
+def air_conditioner(draw: Draw) -> Parts:
+    """A wide indoor unit, round below: its outlet with a flap, a display, slits on top."""
+    x, deep, high = draw(1.1, 1.22), draw(0.44, 0.52), draw(0.74, 0.84)
+    soft = draw.chance(0.5)
+    front = [(-deep * 0.1, 0.0), (-deep * 0.86, high * 0.34), (-deep, high * 0.56)]
+    front += [(-deep, high * 0.84), (-deep * 0.78, high)]
+    boxy = [(-deep * 0.2, 0.0), (-deep, high * 0.38), (-deep, high)]
+    outline = [(deep * 0.55, high), (deep * 0.55, 0.0), *(front if soft else boxy)]
+    wider = [(v * 1.06, (w - high / 2) * 1.06 + high / 2) for v, w in outline]
+    # The outlet lies in the slope below, and its flap is hinged at the lower edge.
+    (y0, z0), (y1, z1) = outline[2:4]
+    slope = math.degrees(math.atan2(y0 - y1, z1 - z0))
+    vent = box((0, 0, 0), (x * 0.84, 0.06, math.dist((y0, z0), (y1, z1)) * 0.4))
+    flap = box((0, 0, -0.17), (x * 0.84, 0.075, 0.2), 0.03)
+    return {
+        "body": prism(outline, 0, x),
+        "ends": both(prism(wider, 0, 0.1, x)),
+        "vent": tilted(vent, slope, (0, (y0 + y1) / 2, (z0 + z1) / 2)),
+        "flap": tilted(flap, -draw(62, 74), (0, y0 - 0.06, z0 + 0.02)),
+        "display": box((x * 0.62, -deep, high * 0.68), (0.2, 0.06, 0.1), 0.02),
+        "slits": join(
+            *(box((0, deep * 0.24 - 0.34 * k, high), (x * 0.8, 0.08, 0.06)) for k in range(2))
+        ),
+    }
 
 
 def ironing_board(draw: Draw) -> Parts:
@@ -340,35 +366,10 @@ def remote_control(draw: Draw) -> Parts:
     }
 
 
-def air_conditioner(draw: Draw) -> Parts:
-    """A wide indoor unit, round below: its outlet with a flap, a display, slits on top."""
-    x, deep, high = draw(1.1, 1.22), draw(0.44, 0.52), draw(0.74, 0.84)
-    soft = draw.chance(0.5)
-    front = [(-deep * 0.1, 0.0), (-deep * 0.86, high * 0.34), (-deep, high * 0.56)]
-    front += [(-deep, high * 0.84), (-deep * 0.78, high)]
-    boxy = [(-deep * 0.2, 0.0), (-deep, high * 0.38), (-deep, high)]
-    outline = [(deep * 0.55, high), (deep * 0.55, 0.0), *(front if soft else boxy)]
-    wider = [(v * 1.06, (w - high / 2) * 1.06 + high / 2) for v, w in outline]
-    # The outlet lies in the slope below, and its flap is hinged at the lower edge.
-    (y0, z0), (y1, z1) = outline[2:4]
-    slope = math.degrees(math.atan2(y0 - y1, z1 - z0))
-    vent = box((0, 0, 0), (x * 0.84, 0.06, math.dist((y0, z0), (y1, z1)) * 0.4))
-    flap = box((0, 0, -0.17), (x * 0.84, 0.075, 0.2), 0.03)
-    return {
-        "body": prism(outline, 0, x),
-        "ends": both(prism(wider, 0, 0.1, x)),
-        "vent": tilted(vent, slope, (0, (y0 + y1) / 2, (z0 + z1) / 2)),
-        "flap": tilted(flap, -draw(62, 74), (0, y0 - 0.06, z0 + 0.02)),
-        "display": box((x * 0.62, -deep, high * 0.68), (0.2, 0.06, 0.1), 0.02),
-        "slits": join(
-            *(box((0, deep * 0.24 - 0.34 * k, high), (x * 0.8, 0.08, 0.06)) for k in range(2))
-        ),
-    }
-
-
 FIXTURES = {
     "faucet": faucet,
     "radiator": radiator,
+    "air conditioner": air_conditioner,
     "ironing board": ironing_board,
     "clothes hanger": clothes_hanger,
     "high chair": high_chair,
@@ -376,5 +377,4 @@ FIXTURES = {
     "aquarium": aquarium,
     "birdcage": birdcage,
     "remote control": remote_control,
-    "air conditioner": air_conditioner,
 }

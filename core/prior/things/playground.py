@@ -1,4 +1,4 @@
-"""Of playgrounds and fairs."""
+"""Rides and swings of a playground or a fair."""
 
 import math
 
@@ -20,33 +20,7 @@ from core.prior.solids import (
     tube,
     turned,
 )
-from core.prior.things.transport import strip
-
-
-def ferris_wheel(draw: Draw) -> Parts:
-    """A wheel that faces the front, eight cabins on its rim, legs on either side, a base."""
-    r, z, cabin = draw(0.98, 1.06), draw(1.42, 1.5), draw(0.19, 0.215)
-    foot, rim, hub = draw(0.62, 0.74), 0.085, draw(0.16, 0.2)
-    y, low, high = 0.38, -0.36, draw(0.0, 0.04)
-    cup = lathe([(cabin * 0.7, low), (cabin, low + 0.1), (cabin, low + 0.18)])
-    lid = lathe([(cabin + 0.04, low + 0.17), (0.05, high + 0.06)])
-    places = [
-        (r * math.cos(a), 0.0, z + r * math.sin(a)) for a in (math.pi / 4 * k for k in range(8))
-    ]
-    spoke = box((0, 0, 0), (r, 0.06, 0.06))
-    spokes = join(*(turned(spoke, 1, 45 * k) for k in range(4)))
-    leg = prism(strip((0.02, z), (foot, 0.05), 0.085), 1, 0.08, y)
-    return {
-        "rim": ring((0, 0, z), r, rim, 1),
-        "spokes": moved(spokes, (0, 0, z)),
-        "cabins": join(*(moved(cup, at) for at in places)),
-        "roofs": join(*(moved(lid, at) for at in places)),
-        "legs": join(
-            both(leg, 0, 1),
-            tube((0, -y - 0.1, z), (0, y + 0.1, z), hub),
-        ),
-        "base": box((0, 0, 0.07), (foot + 0.22, y + 0.18, 0.07)),
-    }
+from core.prior.things.shared.outlines import strip
 
 
 def seesaw(draw: Draw) -> Parts:
@@ -142,9 +116,35 @@ def carousel(draw: Draw) -> Parts:
     }
 
 
+def ferris_wheel(draw: Draw) -> Parts:
+    """A wheel that faces the front, eight cabins on its rim, legs on either side, a base."""
+    r, z, cabin = draw(0.98, 1.06), draw(1.42, 1.5), draw(0.19, 0.215)
+    foot, rim, hub = draw(0.62, 0.74), 0.085, draw(0.16, 0.2)
+    y, low, high = 0.38, -0.36, draw(0.0, 0.04)
+    cup = lathe([(cabin * 0.7, low), (cabin, low + 0.1), (cabin, low + 0.18)])
+    lid = lathe([(cabin + 0.04, low + 0.17), (0.05, high + 0.06)])
+    places = [
+        (r * math.cos(a), 0.0, z + r * math.sin(a)) for a in (math.pi / 4 * k for k in range(8))
+    ]
+    spoke = box((0, 0, 0), (r, 0.06, 0.06))
+    spokes = join(*(turned(spoke, 1, 45 * k) for k in range(4)))
+    leg = prism(strip((0.02, z), (foot, 0.05), 0.085), 1, 0.08, y)
+    return {
+        "rim": ring((0, 0, z), r, rim, 1),
+        "spokes": moved(spokes, (0, 0, z)),
+        "cabins": join(*(moved(cup, at) for at in places)),
+        "roofs": join(*(moved(lid, at) for at in places)),
+        "legs": join(
+            both(leg, 0, 1),
+            tube((0, -y - 0.1, z), (0, y + 0.1, z), hub),
+        ),
+        "base": box((0, 0, 0.07), (foot + 0.22, y + 0.18, 0.07)),
+    }
+
+
 PLAYGROUND = {
-    "ferris wheel": ferris_wheel,
     "seesaw": seesaw,
     "swing": swing,
     "carousel": carousel,
+    "ferris wheel": ferris_wheel,
 }

@@ -1,4 +1,4 @@
-"""What is carved, and what is of a body: from the totem pole to the brain."""
+"""Objects that are magic, found or ancient."""
 
 import math
 
@@ -6,340 +6,330 @@ from core.prior.draw import Draw
 from core.prior.solids import (
     Parts,
     Solid,
-    Vector,
     around,
     ball,
-    blend,
     both,
     box,
     capsule,
+    chain,
     cut,
     egg,
+    flattened,
+    grown,
     join,
     lathe,
     limb,
     moved,
     prism,
+    ring,
+    smooth_curve,
     taper,
     tube,
     turned,
 )
-from core.prior.things.animals import fitted
 
 
-def totem(draw: Draw) -> Parts:
-    """Three carved heads on one another, the topmost a bird's with spread wings."""
-    r, each, span = draw(0.36, 0.42), draw(0.72, 0.82), draw(1.1, 1.3)
-    first = 0.14
-    levels = [first + each * k for k in range(3)]
-    low, middle, high = levels
-    blocks = join(
-        *(tube((0, 0, v), (0, 0, v + each - 0.1), r + 0.03, 0.04) for v in levels),
-        tube((0, 0, 0), (0, 0, high + each - 0.2), r - 0.06),
-        tube((0, 0, 0), (0, 0, 0.17), r + 0.14, 0.03),
-        lathe([(r, high + each - 0.12), (r * 0.5, high + each + 0.1)], 0.04),
-    )
-    lift = high + each * 0.3
-    wing = [(0.1, lift - 0.3), (0.1, lift + 0.2), (span * 0.6, lift + 0.4), (span, lift + 0.36),
-            (span * 0.98, lift - 0.06), (span * 0.78, lift + 0.06), (span * 0.74, lift - 0.22),
-            (span * 0.54, lift - 0.1), (span * 0.5, lift - 0.34)]  # fmt: skip
-    beak = prism([(-r + 0.06, high + 0.36), (-r + 0.06, high + 0.1), (-r - 0.34, high + 0.06),
-                  (-r - 0.3, high + 0.2)], 0, 0.13)  # fmt: skip
-    snout = box((0, -r - 0.06, middle + 0.24), (0.16, 0.18, 0.1), 0.04)
-    y = -r * 0.86
-    sights = [(0.18, y, v + each * 0.64) for v in levels]
-    grin = [box((0, -r + 0.04, v), (0.22, 0.1, 0.075), 0.03) for v in (low + 0.16, middle + 0.07)]
+def _star(center: tuple[float, float], radius: float, inner: float) -> list[tuple[float, float]]:
+    """A star of five points, one up."""
+    x, z = center
+    turns = [(math.pi / 2 + math.pi * k / 5, inner if k % 2 else radius) for k in range(10)]
+    return [(x + r * math.cos(a), z + r * math.sin(a)) for a, r in turns]
+
+
+def magic_wand(draw: Draw) -> Parts:
+    """A dark rod with golden bands, at its tip a big star or a crystal."""
+    high, r, foot = draw(1.9, 2.05), draw(0.1, 0.11), draw(0.15, 0.165)
+    grip = draw(0.62, 0.7)
+    if draw.chance(0.5):
+        size = draw(0.52, 0.56)
+        tip = grown(prism(_star((0, high + size * 0.62), size, size * 0.48), 1, 0.1), 0.04)
+    else:
+        size = draw(0.3, 0.34)
+        tip = around(
+            6,
+            prism(
+                [
+                    (-0.1, high),
+                    (0.15, high),
+                    (size, high + 0.42),
+                    (0.02, high + 1.0),
+                    (-0.1, high + 1.0),
+                ],
+                1,
+                size * 0.577,
+            ),
+        )
     return {
-        "wood": blocks,
-        "wings": join(both(prism(wing, 1, 0.1)),
-                      box((0, -r - 0.02, low + 0.34), (0.1, 0.12, 0.1), 0.03)),
-        "bill": join(beak, snout),
-        "mouth": join(*grin, tube((0, 0, middle - 0.1), (0, 0, middle), r + 0.07, 0.02),
-                      tube((0, 0, high - 0.1), (0, 0, high), r + 0.07, 0.02)),
-        "eyes": both(join(*(tube((u, -r - 0.05, w), (u, 0, w), 0.14, 0.02) for u, _, w in sights))),
-        "pupils": both(
-            join(*(tube((u, -r - 0.1, w), (u, 0, w), 0.085, 0.02) for u, _, w in sights))
+        "shaft": taper((0, 0, 0.2), (0, 0, high), r + 0.02, r),
+        "grip": tube((0, 0, 0.1), (0, 0, grip), foot, 0.03),
+        "bands": join(
+            *(tube((0, 0, v - 0.08), (0, 0, v + 0.08), foot + 0.06, 0.03) for v in (0.1, grip)),
+            tube((0, 0, high - 0.16), (0, 0, high + 0.06), r + 0.1, 0.03),
         ),
-    }  # fmt: skip
-
-
-def moai(draw: Draw) -> Parts:
-    """A long head of stone: a heavy brow, a long nose, thin lips, long ears, on a slab."""
-    wide, deep, high = draw(0.42, 0.49), draw(0.38, 0.45), draw(1.65, 1.9)
-    brow, nose, lip = draw(0.66, 0.72), draw(0.19, 0.25), draw(0.24, 0.29)
-    low = 0.36
-    z = low + high * brow
-    skull = prism([(-wide * 0.8, low), (wide * 0.8, low), (wide, low + high * 0.3),
-                   (wide * 0.96, low + high * 0.86), (wide * 0.76, low + high),
-                   (-wide * 0.76, low + high), (-wide * 0.96, low + high * 0.86),
-                   (-wide, low + high * 0.3)], 1, deep, 0.06)  # fmt: skip
-    side = [(-deep + 0.1, z + high * 0.22), (-deep - 0.14, z + 0.08), (-deep - 0.12, z - 0.08),
-            (-deep + 0.1, z - 0.08)]  # fmt: skip
-    front = low + high * lip
-    bridge = [(-deep + 0.1, z), (-deep - 0.1, z), (-deep - nose - 0.12, front + 0.26),
-              (-deep - 0.04, front + 0.16), (-deep + 0.1, front + 0.16)]  # fmt: skip
-    nostrils = box((0, -deep - nose * 0.5, front + 0.24), (0.22, nose * 0.5 + 0.06, 0.085), 0.04)
-    lips = join(
-        box((0, -deep, front + 0.04), (0.24, 0.14, 0.05), 0.03),
-        box((0, -deep, front - 0.11), (0.22, 0.14, 0.05), 0.03),
-    )
-    chin = box((0, -deep + 0.04, low + high * 0.08), (wide * 0.6, 0.14, high * 0.08), 0.04)
-    ear = box((wide, 0.1, low + high * 0.5), (0.1, 0.13, high * 0.24), 0.04)
-    hollow = box((0.24, -deep + 0.02, z - 0.19), (0.13, 0.085, 0.11), 0.03)
-    return {
-        "body": join(
-            skull, prism(side, 0, wide * 0.97), prism(bridge, 0, 0.15), nostrils, lips, chin,
-            both(ear),
-        ),
-        "eyes": both(hollow),
-        "base": join(
-            box((0, 0.04, 0.2), (wide + 0.26, deep + 0.16, 0.2), 0.06),
-            box((0, 0.04, 0.36), (wide * 0.74, deep * 0.84, 0.16)),
-        ),
-    }  # fmt: skip
-
-
-def obelisk(draw: Draw) -> Parts:
-    """A tall four-sided shaft that narrows, its tip gilded; signs are cut in its sides."""
-    low, top, high = draw(0.26, 0.31), draw(0.18, 0.21), draw(2.05, 2.35)
-    foot, point = draw(0.5, 0.6), draw(0.36, 0.48)
-    first = 0.42
-    shaft = around(
-        4, prism([(0, first), (low, first), (top, first + high), (0, first + high)], 1, 2)
-    )
-    crown = first + high
-    tip = around(
-        4, prism([(0, crown - 0.02), (top + 0.03, crown - 0.02), (0, crown + point)], 1, 2)
-    )
-    steps = join(
-        box((0, 0, 0.12), (foot, foot, 0.12), 0.03),
-        box((0, 0, 0.32), (foot * 0.78, foot * 0.78, 0.14), 0.03),
-    )
-    stops = [(low + (top - low) * k, first + high * k) for k in (0.2, 0.4, 0.6, 0.8)]
-    signs = join(
-        *(tube((x - 0.04, 0, v), (x + 0.05, 0, v), 0.095) for x, v in stops[::2]),
-        *(box((x, 0, v), (0.05, 0.13, 0.055)) for x, v in stops[1::2]),
-    )
-    return {
-        "body": shaft,
         "tip": tip,
-        "base": steps,
-        "signs": around(4, signs),
+    }
+
+
+def crystal_ball(draw: Draw) -> Parts:
+    """A big ball of glass held by four golden claws, on a turned foot."""
+    r, low = draw(0.84, 0.9), draw(0.6, 0.66)
+    z = low + r + 0.06
+    wide = draw(0.78, 0.84)
+    base = lathe([(wide, 0.06), (wide, 0.16), (wide * 0.72, 0.24), (0.34, 0.4), (0.34, low - 0.1),
+                  (0.5, low + 0.1), (0.3, low + 0.16)], 0.03)  # fmt: skip
+    claw = limb([(0.36, 0, low - 0.14), (r * 0.82, 0, low + 0.06), (r + 0.07, 0, z - r * 0.36),
+                 (r + 0.08, 0, z + 0.08)], 0.13, 0.085)  # fmt: skip
+    curl = ball((r + 0.12, 0, z + 0.1), 0.125)
+    return {
+        "ball": ball((0, 0, z), r),
+        "stand": base,
+        "claws": around(4, join(claw, curl), 45),
+        "bands": join(
+            ring((0, 0, 0.13), wide, 0.1), ring((0, 0, low - 0.04), 0.36, 0.1),
+            around(4, egg((wide - 0.04, 0, 0.12), (0.22, 0.17, 0.14)), 45),
+        ),
+        "glints": join(
+            egg((-r * 0.42, -r * 0.72, z + r * 0.42), (0.17, 0.15, 0.2)),
+            ball((r * 0.42, -r * 0.8, z - r * 0.3), 0.1),
+        ),
     }  # fmt: skip
 
 
-def mask(draw: Draw) -> Parts:
-    """A carved face, long and curved, painted, with a crest of feathers; it stands."""
-    wide, high, deep = draw(0.58, 0.68), draw(0.88, 1.02), draw(0.36, 0.44)
-    z, plume = high, draw(0.42, 0.58)
-    back = box((0, 1.1, z), (2, 1, 3))
-    shell = cut(egg((0, 0.1, z), (wide, deep, high)), back)
-    y = 0.1 - deep
-
-    def face(x: float, v: float) -> float:
-        """How far to the front the shell is."""
-        return 0.1 - deep * math.sqrt(max(0.05, 1 - (x / wide) ** 2 - ((v - z) / high) ** 2))
-
-    leaf = prism([(-0.09, high * 0.7), (0.09, high * 0.7), (0.19, high + plume * 0.55),
-                  (0, high + plume), (-0.19, high + plume * 0.55)], 1, 0.09, 0.03)  # fmt: skip
-    fan = [moved(turned(leaf, 1, angle), (0, 0, z)) for angle in (0, 24, 48)]
-    eye = moved(
-        turned(egg((0, 0, 0), (0.19, 0.12, 0.1)), 1, 16), (0.26, face(0.26, z + 0.16), z + 0.16)
+def compass(draw: Draw) -> Parts:
+    """Upright like a pocket watch, its dial to the front, the needle's red end to the north."""
+    r, y, rim = draw(0.95, 1.05), draw(0.17, 0.22), draw(0.16, 0.2)
+    long, wide, lean = r * draw(0.58, 0.66), draw(0.17, 0.21), draw(24, 36)
+    z = r + rim
+    half = [(-wide, 0), (wide, 0), (0, long)]
+    red, pale = (
+        moved(turned(prism(half, 1, 0.12, -y), 1, lean + turn), (0, 0, z)) for turn in (0, 180)
     )
-    brow = capsule(
-        (0.12, face(0.12, z + 0.34) - 0.02, z + 0.34), (0.4, face(0.4, z + 0.46), z + 0.46), 0.09
+    mark = box((0, -y + 0.04, r - 0.2), (0.07, 0.09, 0.1))
+    return {
+        "case": moved(
+            join(
+                tube((0, -y + 0.1, 0), (0, y, 0), r + rim, 0.03),
+                ring((0, -y, 0), r + rim - 0.13, 0.13, 1),
+            ),
+            (0, 0, z),
+        ),
+        "dial": tube((0, -y + 0.02, z), (0, y - 0.1, z), r - 0.02),
+        "needle": red,
+        "tail": pale,
+        "marks": moved(join(*(turned(mark, 1, 90 * k) for k in range(4))), (0, 0, z)),
+        "loop": join(
+            tube((0, 0, 2 * z - 0.1), (0, 0, 2 * z + 0.16), 0.16, 0.02),
+            ring((0, 0, 2 * z + 0.36), draw(0.23, 0.27), 0.1, 1),
+        ),
+    }
+
+
+def ingot(draw: Draw) -> Parts:
+    """A bar of cast metal along x, narrower at its top, with a raised stamp."""
+    x, y, high, slope = draw(1.25, 1.45), draw(0.5, 0.6), draw(0.46, 0.56), draw(0.16, 0.22)
+    long = prism([(-x, 0), (x, 0), (x - slope, high), (slope - x, high)], 1, y)
+    across = prism([(-y, 0), (y, 0), (y - slope, high), (slope - y, high)], 0, x)
+    wide, deep = x * draw(0.5, 0.58), (y - slope) * 0.62
+    return {
+        "bar": lambda p: long(p).maximum(across(p)),
+        "stamp": box((0, 0, high), (wide, deep, 0.08), 0.02),
+    }
+
+
+def necklace(draw: Draw) -> Parts:
+    """Upright, a round string of beads; a cut stone in a setting hangs from it."""
+    r, wide, bead = draw(0.82, 0.92), draw(0.33, 0.4), draw(0.115, 0.13)
+    z, count = 2 * wide + 0.34 + r, 16
+    stone = around(8, prism([(0, 0), (0.25, 0), (0.25, 0.14), (0.15, 0.27), (0, 0.27)], 1, 2), 22.5)
+    eye = wide * 0.99
+    beads = around(count, ball((r, 0, 0), bead), 90 + 180 / count)
+    return {
+        "chain": ring((0, 0, z), r, 0.085, 1),
+        "beads": moved(turned(beads, 0, 90), (0, 0, z)),
+        "setting": join(
+            tube((0, -0.13, eye), (0, 0.13, eye), wide, 0.03),
+            tube((0, 0, 2 * wide - 0.05), (0, 0, z - r + 0.05), 0.12, 0.02),
+        ),
+        "stone": moved(turned(stone, 0, 90), (0, -0.02, eye)),
+        "bail": ring((0, 0, z - r), 0.15, 0.09, 0),
+    }
+
+
+def brazier(draw: Draw) -> Parts:
+    """A bowl of embers on three legs, in flames."""
+    r, high, leg = draw(0.68, 0.78), draw(0.85, 1.0), draw(0.56, 0.68)
+    flame, wide = draw(1.05, 1.25), draw(0.38, 0.44)
+    top = high + 0.36
+    tongue = [(wide * 0.7, top - 0.1), (wide, top + 0.24), (wide * 0.5, top + flame * 0.62)]
+    small = [(0.14, top - 0.1), (0.19, top + 0.14), (0.1, top + 0.36), (0.02, top + draw(0.5, 0.6))]
+    foot = leg + 0.08
+    return {
+        "bowl": lathe(smooth_curve([(0.2, high - 0.16), (r * 0.66, high - 0.02), (r, top)]), 0.02),
+        "rim": ring((0, 0, top), r, 0.1),
+        "legs": join(
+            around(3, taper((0.2, 0, high), (foot, 0, 0.11), 0.11, 0.11), -90),
+            ring((0, 0, high * 0.42), leg * 0.68, 0.09),
+        ),
+        "embers": tube((0, 0, top - 0.1), (0, 0, top + 0.06), r - 0.08),
+        "flame": lathe(smooth_curve([*tongue, (0.02, top + flame)])),
+        "tongues": around(5, lathe(smooth_curve(small), 0.0, (r * 0.62, 0)), -90),
+    }
+
+
+def drinking_horn(draw: Draw) -> Parts:
+    """A curved horn on a stand, wide and full at the right, its tip up at the left."""
+    mouth, tip, far = draw(0.44, 0.5), draw(0.1, 0.12), draw(1.2, 1.35)
+    near, turns, middle, up = 0.84, (6.0, -158.0), (-0.06, 1.62), 0.16
+
+    def place(share: float) -> tuple[float, float, float]:
+        a = math.radians(turns[0] + (turns[1] - turns[0]) * share)
+        out = near + (far - near) * share
+        return (middle[0] + out * math.cos(a), middle[1] + out * math.sin(a), a)
+
+    def piece(shares: list[float], out: float) -> Solid:
+        """The horn through these shares of its length, ``out`` thicker."""
+        places = ((place(share), mouth + (tip - mouth) * share + out) for share in shares)
+        return chain(((x, 0, z), r) for (x, z, _), r in places)
+
+    def hoop(share: float) -> Solid:
+        """A band about the horn."""
+        x, z, a = place(share)
+        r, half = mouth + (tip - mouth) * share + 0.06, 0.09
+        way = (-math.sin(a) * half, math.cos(a) * half)
+        return tube((x - way[0], 0, z - way[1]), (x + way[0], 0, z + way[1]), r, 0.03)
+
+    x, z, _ = place(0)
+    low, bottom, _ = place(0.46)
+    end = place(1)
+    rim = tube((x, 0, z + up - 0.14), (x, 0, z + up + 0.1), mouth + 0.07, 0.04)
+    bubbles = [ball((x + a, b, z + up + 0.24), 0.17) for a, b in ((-0.17, -0.12), (0.17, 0.06))]
+    return {
+        "horn": cut(
+            join(piece([k / 15 for k in range(16)], 0), tube((x, 0, z), (x, 0, z + up), mouth)),
+            box((x, 0, z + up + 1), (1, 1, 1)),
+        ),
+        "rim": join(rim, hoop(0.3)),
+        "foam": join(egg((x, 0, z + up + 0.06), (mouth - 0.04, mouth - 0.04, 0.24)), *bubbles),
+        "tip": join(piece([0.84, 0.92, 1], 0.045), ball((end[0], 0, end[1]), tip + 0.08)),
+        "strap": hoop(0.62),
+        "stand": join(
+            box((low, 0, 0.1), (0.62, 0.44, 0.1), 0.04),
+            box((low, 0, bottom / 2), (0.16, 0.26, bottom / 2), 0.04),
+        ),
+    }
+
+
+def coffin(draw: Draw) -> Parts:
+    """Upright on its foot, six-sided, its lid to the front with a cross on it."""
+    high, wide, foot = draw(2.4, 2.6), draw(0.66, 0.76), draw(0.36, 0.44)
+    head, deep = draw(0.4, 0.48), draw(0.3, 0.38)
+    shoulder = high * draw(0.68, 0.73)
+
+    def board(grow: float, y: float, thick: float) -> Solid:
+        half = [(foot + grow, -grow), (wide + grow, shoulder), (head + grow, high + grow)]
+        return prism([*half, *((-a, b) for a, b in reversed(half))], 1, thick, y)
+
+    cross = join(
+        box((0, 0, high * 0.6), (0.1, 0.1, high * 0.24), 0.02),
+        box((0, 0, high * 0.67), (0.34, 0.1, 0.1), 0.02),
     )
-    cheeks = [
-        capsule(
-            (0.28, face(0.28, z - v), z - v), (0.46, face(0.46, z - v + 0.1), z - v + 0.1), 0.075
-        )
-        for v in (0.14, 0.38)
+    grip = join(*(tube((0, 0, z - 0.16), (0, 0, z + 0.16), 0.1) for z in (0.9, 1.5)))
+    lean = 6
+    return {
+        "body": board(0, 0.04, deep),
+        "lid": board(0.09, -deep - 0.04, 0.1),
+        "panel": board(-0.12, -deep - 0.14, 0.08),
+        "cross": moved(cross, (0, -deep - 0.24, 0)),
+        "handles": both(moved(turned(grip, 1, lean), (foot + 0.08, 0, 0))),
+        "edge": board(0.09, deep - 0.02, 0.1),
+    }
+
+
+def sack(draw: Draw) -> Parts:
+    """Full, tied with rope below its ruffled mouth, a patch in front."""
+    r, high, deep = draw(0.78, 0.88), draw(1.25, 1.4), draw(0.8, 0.9)
+    neck, mouth = draw(0.24, 0.29), draw(0.42, 0.5)
+    side = [(r * 0.8, 0.0), (r, 0.22), (r * 1.02, 0.5), (r * 0.72, high * 0.78), (neck, high)]
+    body = flattened(lathe(smooth_curve(side)), deep)
+    grown = flattened(lathe([(a + 0.07, b) for a, b in smooth_curve(side)]), deep)
+    patch = box((0, -1, 0.52), (draw(0.28, 0.34), 1, 0.27), 0.02)
+    fold = taper((neck - 0.08, 0, high - 0.02), (mouth - 0.08, 0, high + 0.34), 0.14, 0.16)
+    return {
+        "body": body,
+        "mouth": join(lathe([(neck, high - 0.04), (mouth, high + 0.3)]), around(8, fold, 22.5)),
+        "rope": join(
+            ring((0, 0, high), neck + 0.05, 0.1),
+            both(capsule((0.06, -neck - 0.08, high), (0.2, -neck - 0.16, high - 0.28), 0.09)),
+        ),
+        "patch": lambda p: patch(p).maximum(grown(p)),
+    }
+
+
+def anchor(draw: Draw) -> Parts:
+    """Upright: a ring, a stock, a shank and two curved arms with flukes."""
+    high, reach, r = draw(1.95, 2.15), draw(0.95, 1.1), draw(0.12, 0.14)
+    bar, hole = draw(0.56, 0.66), draw(0.22, 0.27)
+    z = reach + r  # the centre of the arms' half circle
+    rise = 0.25 * reach
+    arms = cut(ring((0, 0, z), reach, r, 1), box((0, 0, z - rise + 3), (3, 3, 3)))
+    out, up = reach * 0.97, z - rise
+    fluke = [
+        (out - 0.42, up - 0.1),
+        (out + 0.02, up + 0.42),
+        (out + 0.3, up - 0.22),
+        (out, up - 0.16),
     ]
-    stripe = capsule((0, face(0, z + 0.72), z + 0.72), (0, face(0, z + 0.5), z + 0.5), 0.1)
-    mouth = egg((0, face(0, z - 0.5) + 0.02, z - 0.5), (0.27, 0.14, 0.17))
-    nose = prism([(y + 0.1, z + 0.34), (y - 0.02, z + 0.32), (y - 0.2, z - 0.16),
-                  (y + 0.1, z - 0.2)], 0, 0.1)  # fmt: skip
-    row = z - 0.43
-    bite = both(
-        join(
-            *(box((u, face(u, row) - 0.02, row), (0.06, 0.08, 0.075), 0.02) for u in (0.065, 0.19))
-        )
-    )
     return {
-        "face": join(shell, nose),
-        "paint": join(both(join(brow, *cheeks)), stripe),
-        "eyes": both(eye),
-        "mouth": mouth,
-        "teeth": bite,
-        "feathers": join(fan[0], both(join(*fan[1:]))),
-    }  # fmt: skip
-
-
-def bone(draw: Draw) -> Parts:
-    """A shaft with two knobs at either end, as a dog is given."""
-    long, thick, knob = draw(0.8, 0.96), draw(0.23, 0.29), draw(0.3, 0.36)
-    apart = draw(0.8, 0.9) * knob
-    z = apart + knob
-    ends = both(ball((long, 0, apart), knob), 0, 2)
-    return {"body": moved(join(ends, tube((-long, 0, 0), (long, 0, 0), thick)), (0, 0, z))}
-
-
-def eyeball(draw: Draw) -> Parts:
-    """It looks to the front: the white, iris, pupil and a glint, the nerve behind."""
-    r, iris, pupil = 0.9, draw(0.44, 0.54), draw(0.2, 0.27)
-    bulge = draw(0.05, 0.1)
-    nerve = [(0, r - 0.1, 0), (0, r + 0.28, -0.06), (0, r + 0.55, -0.24)]
-
-    def disc(radius: float, high: float) -> Solid:
-        """The cap of that radius on a ball that is ``high`` above the white."""
-        plane = math.sqrt((r + high) ** 2 - radius**2)
-        return cut(ball((0, 0, 0), r + high), box((0, 2 - plane, 0), (2, 2, 2)))
-
-    parts = {
-        "white": ball((0, 0, 0), r),
-        "iris": disc(iris, bulge),
-        "pupil": disc(pupil, bulge + 0.04),
-        "nerve": limb(nerve, draw(0.2, 0.26), 0.17),
-        "glint": ball((0.2, -r - bulge + 0.06, 0.22), 0.11),
-    }
-    return {name: moved(solid, (0, 0, r)) for name, solid in parts.items()}
-
-
-def tooth(draw: Draw) -> Parts:
-    """A molar: a square crown with four cusps, on roots that taper."""
-    wide, high, root = draw(0.54, 0.62), draw(0.4, 0.48), draw(0.75, 0.95)
-    apart, deep = wide * draw(0.52, 0.6), draw(0.44, 0.52)
-    cusp = egg((wide * 0.52, deep * 0.5, root + 2 * high - 0.06), (wide * 0.5, deep * 0.52, 0.24))
-    neck = box((0, 0, root + 0.06), (wide * 0.84, deep * 0.84, 0.2), 0.14)
-    leg = taper((apart, deep * 0.42, root), (apart * 1.05, deep * 0.4, 0.1), 0.25, 0.1)
-    return {
-        "crown": blend(
-            0.12,
-            box((0, 0, root + high), (wide, deep, high), 0.22),
-            both(cusp, 0, 1),
+        "shank": taper((0, 0, r + 0.02), (0, 0, high), r * 1.1, r * 0.95),
+        "arms": arms,
+        "flukes": both(prism(fluke, 1, 0.15)),
+        "stock": join(
+            tube((-bar, 0, high - 0.28), (bar, 0, high - 0.28), r),
+            both(ball((bar, 0, high - 0.28), r + 0.05)),
         ),
-        "roots": join(both(leg, 0, 1), neck),
+        "ring": ring((0, 0, high + hole + 0.02), hole, 0.1, 1),
     }
 
 
-def hand(draw: Draw) -> Parts:
-    """Open, its palm to the front, standing on its cuff."""
-    wide, palm, r = draw(0.4, 0.46), draw(0.36, 0.42), draw(0.115, 0.13)
-    long, spread = draw(0.55, 0.68), draw(0.28, 0.42)
-    z = 0.46 + palm
-    knuckle = z + palm - 0.08
-    fingers, nails = [], []
-    for k, part in enumerate((0.9, 1.05, 1.0, 0.78)):
-        u = wide * (k - 1.5) * 0.52
-        lean = (k - 1.5) * spread * 0.32
-        tip = (u + lean * long, 0.02, knuckle + long * part)
-        fingers.append(taper((u, 0, knuckle), tip, r + 0.01, r))
-        nails.append(egg((tip[0], r * 0.75, tip[2] + 0.02), (0.09, 0.085, 0.11)))
-    thumb = limb(
-        [(-wide * 0.5, -0.04, z - palm * 0.6), (-wide - 0.16, -0.08, z + 0.02),
-         (-wide - 0.32, -0.08, z + palm * 0.8)], 0.19, r + 0.015)  # fmt: skip
-    heel = join(
-        egg((-wide * 0.45, -0.13, z - palm * 0.35), (0.21, 0.13, 0.28)),
-        egg((wide * 0.5, -0.12, z - palm * 0.4), (0.16, 0.1, 0.28)),
+def jetpack(draw: Draw) -> Parts:
+    """Two tanks side by side, their nozzles aflame; its straps are at the back."""
+    r, x, low = draw(0.32, 0.37), draw(0.42, 0.47), draw(0.8, 0.9)
+    long, flame = draw(1.0, 1.15), draw(0.5, 0.62)
+    top = low + long
+    tank = tube((x, 0, low), (x, 0, top), r, 0.03)
+    nose = cut(egg((x, 0, top), (r, r, draw(0.38, 0.46))), box((x, 0, top - 1), (1, 1, 0.98)))
+    horn = lathe([(r * 0.9, low - 0.3), (r * 0.5, low + 0.04)], 0.01, (x, 0))
+    fire = smooth_curve(
+        [(0.03, low - 0.28 - flame), (r * 0.62, low - 0.1 - flame * 0.55), (r * 0.56, low - 0.2)]
+    )
+    strap = join(
+        capsule((x, r - 0.1, top - 0.1), (x, r + 0.2, top - 0.3), 0.1),
+        capsule((x, r + 0.2, top - 0.3), (x, r + 0.2, low + 0.4), 0.1),
+        capsule((x, r + 0.2, low + 0.4), (x, r - 0.1, low + 0.2), 0.1),
     )
     return {
-        "skin": join(
-            box((0, 0, z), (wide, 0.17, palm), 0.15),
-            taper((0, 0, 0.2), (0, 0, z - palm * 0.8), 0.25, 0.16),
-            thumb,
-            heel,
-            *fingers,
+        "tanks": both(tank),
+        "noses": both(nose),
+        "pack": join(
+            box((0, 0.06, low + long * 0.5), (x, 0.2, long * 0.4), 0.03),
+            box((0, -0.1, low + long * 0.5), (0.15, 0.22, long * 0.26), 0.03),
         ),
-        "cuff": join(tube((0, 0, 0), (0, 0, 0.36), 0.34, 0.04),
-                     tube((0, 0, 0.24), (0, 0, 0.42), 0.39, 0.05)),
-        "nails": join(*nails),
-    }  # fmt: skip
-
-
-def _fold(side_deg: float, radii: Vector) -> list[Vector]:
-    """A winding line from under the front over the top to under the back, ``side_deg`` outwards."""
-    x, y, z = radii
-    points = []
-    for k in range(18):
-        along, wave = math.radians(-28 + 13.4 * k), (0, 1, 0, -1)[k % 4]
-        side = math.radians(side_deg + 9 * wave)
-        level = math.cos(0.8 * side)
-        points.append(
-            (x * math.sin(side), -y * math.cos(along) * level, z * math.sin(along) * level)
-        )
-    return points
-
-
-def brain(draw: Draw) -> Parts:
-    """Two halves with winding folds, the little brain and the stem below."""
-    wide, long, high = draw(0.62, 0.7), draw(0.88, 1.0), draw(0.6, 0.68)
-    z, thick, apart = 0.95, draw(0.125, 0.145), 0.1
-    half = egg((apart, 0, 0), (wide * 0.94, long * 0.94, high * 0.94))
-    inner = cut(half, box((-1.94, 0, 0), (2, 2, 2)))
-    folds = [limb(_fold(side, (wide, long, high)), thick, thick) for side in (13, 46, 80)]
-    lobe = egg((wide * 0.82, -long * 0.16, -high * 0.5), (0.27, long * 0.52, 0.2))
-    return {
-        "folds": moved(both(join(moved(join(*folds), (apart, 0, 0)), lobe)), (0, 0, z)),
-        "grooves": moved(join(both(inner), box((0, 0, 0), (0.12, long * 0.6, high * 0.5))),
-                         (0, 0, z)),
-        "cerebellum": both(egg((0.24, long * 0.62, z - high * 0.72), (0.32, 0.32, 0.24))),
-        "stem": taper((0, 0.18, z - 0.4), (0, 0.34, 0.16), 0.2, 0.16),
-    }  # fmt: skip
-
-
-def gargoyle(draw: Draw) -> Parts:
-    """Crouching on a block: knees up, arms between its feet, folded bat wings, a horned head."""
-    wide, top = draw(0.6, 0.68), 0.42
-    chest, head, peak = draw(1.3, 1.38), draw(1.72, 1.8), draw(2.62, 2.76)
-    y, z = -0.44, head
-    knee, foot = (wide + 0.04, -0.42, 1.02), (wide, -0.38, top + 0.12)
-    leg = join(
-        taper((0.28, 0.3, 0.74), knee, 0.3, 0.19),
-        taper(knee, foot, 0.18, 0.14),
-        egg((wide, -0.54, top + 0.08), (0.19, 0.32, 0.15)),
-    )
-    arm = limb([(0.4, -0.16, chest), (0.32, -0.5, 0.94), (0.22, -0.66, top + 0.1)], 0.19, 0.13)
-    paw = egg((0.22, -0.73, top + 0.06), (0.14, 0.2, 0.12))
-    outline = [(0.1, 0.7), (0.1, 1.5), (0.44, peak - 0.26), (0.6, peak), (0.76, peak - 0.1),
-               (1.12, 1.8), (1.2, 0.96), (1.04, 0.9), (0.86, 1.2), (0.74, 0.66), (0.58, 0.6),
-               (0.42, 0.9), (0.3, 0.62)]  # fmt: skip
-    bone = limb([(0.14, 0, 1.2), (0.54, 0, peak - 0.1), (1.1, 0, 1.78)], 0.14, 0.11)
-    wing = join(prism(outline, 1, 0.09), bone)
-    ear = prism([(0.2, z + 0.14), (0.66, z + 0.36), (0.28, z - 0.16)], 1, 0.1, y + 0.1)
-    snout = prism([(y + 0.1, z + 0.14), (y - 0.3, z + 0.06), (y - 0.54, z + 0.08),
-                   (y - 0.66, z - 0.04), (y - 0.62, z - 0.2), (y, z - 0.2)], 0, 0.2)  # fmt: skip
-    jaw = prism([(y + 0.1, z - 0.1), (y - 0.18, z - 0.28), (y - 0.52, z - 0.42),
-                 (y - 0.5, z - 0.58), (y - 0.1, z - 0.5), (y + 0.2, z - 0.3)], 0, 0.17)  # fmt: skip
-    brow = taper((0.06, y - 0.32, z + 0.12), (0.34, y - 0.14, z + 0.3), 0.13, 0.1)
-    fang = taper((0.16, y - 0.48, z - 0.16), (0.15, y - 0.43, z - 0.42), 0.09, 0.07)
-    bend = [(0.17, 0.06, 0.22), (0.27, 0.13, 0.4), (0.33, 0.12, 0.56), (0.34, 0.03, 0.72),
-            (0.31, -0.09, 0.84)]  # fmt: skip
-    horn = limb([(u, y + v, z + w) for u, v, w in bend], 0.15, 0.09)
-    return {
-        "body": join(
-            blend(0.12, taper((0, 0.24, 0.82), (0, -0.1, chest), 0.42, 0.38),
-                  taper((0, -0.1, chest), (0, y + 0.1, z - 0.14), 0.3, 0.24)),
-            both(join(leg, arm, paw)),
-        ),
-        "wings": both(moved(turned(wing, 2, 16), (0.06, 0.3, 0))),
-        "head": join(egg((0, y, z), (0.36, 0.36, 0.34)), snout, jaw, both(join(ear, brow, fang))),
-        "horns": both(horn),
-        "base": join(
-            box((0, 0, 0.1), (0.98, 1.04, 0.1), 0.02), box((0, 0, 0.25), (0.86, 0.92, 0.19), 0.02)
-        ),
-        "eyes": both(ball((0.23, y - 0.27, z + 0.06), 0.11)),
-    }  # fmt: skip
+        "nozzles": both(horn),
+        "flames": both(lathe(fire, 0.0, (x, 0))),
+        "straps": both(strap),
+    }
 
 
 RELICS = {
-    "totem pole": fitted(totem),
-    "moai": fitted(moai),
-    "obelisk": fitted(obelisk),
-    "mask": fitted(mask),
-    "bone": fitted(bone),
-    "eyeball": fitted(eyeball),
-    "tooth": fitted(tooth),
-    "hand": fitted(hand),
-    "brain": fitted(brain),
-    "gargoyle": fitted(gargoyle),
+    "magic wand": magic_wand,
+    "crystal ball": crystal_ball,
+    "compass": compass,
+    "ingot": ingot,
+    "necklace": necklace,
+    "brazier": brazier,
+    "drinking horn": drinking_horn,
+    "coffin": coffin,
+    "sack": sack,
+    "anchor": anchor,
+    "jetpack": jetpack,
 }

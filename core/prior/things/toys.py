@@ -1,4 +1,4 @@
-"""Instruments, toys and games."""
+"""Toys and things of a playground."""
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -10,169 +10,57 @@ from core.prior.solids import (
     both,
     box,
     capsule,
+    chain,
     cut,
     egg,
-    grown,
     join,
     lathe,
-    mirrored,
     moved,
     prism,
     ring,
     smooth_curve,
     taper,
     tube,
-    turned,
+    within,
 )
 
 
-def _pegs(x: float, z: float, rows: int, r: float = 0.085) -> Solid:
-    pegs = (tube((-x, 0, z + 0.22 * k), (x, 0, z + 0.22 * k), r, 0.02) for k in range(rows))
-    return join(*pegs)
-
-
-def violin(draw: Draw) -> Parts:
-    """Upright, its front to the front: a waist between four corners, a scroll, four pegs."""
-    wide, high, half, neck = draw(0.95, 1.05), draw(1.36, 1.46), draw(0.15, 0.18), draw(0.8, 0.9)
-    top, front, edge = high + neck, -half, 0.04
-    bouts = [(0, 0), (0.34, 0.02), (0.57, 0.14), (0.61, 0.3), (0.52, 0.42), (0.54, 0.46)]
-    waist = [(0.54, 0.46), (0.39, 0.5), (0.34, 0.59), (0.37, 0.69), (0.48, 0.73)]
-    upper = [(0.48, 0.73), (0.46, 0.77), (0.5, 0.86), (0.4, 0.95), (0.2, 0.99), (0, 1)]
-    right = [*smooth_curve(bouts), *smooth_curve(waist), *smooth_curve(upper)]
-    side = [(max(u * wide - edge, 0), edge + v * (high - 2 * edge)) for u, v in right]
-    tail = mirrored([(0.08, -0.02), (0.13, high * 0.27)])
-    hole = capsule((0.4, front, high * 0.34), (0.28, front, high * 0.51), 0.07)
-    low, x, y = high * 0.63, 0.36, front - 0.04
-    pegs = (tube((-x, y, top - v), (x, y, top - v), 0.08, 0.02) for v in (0.64, 0.31))
+def robot(draw: Draw) -> Parts:
+    """A toy of boxes, its face to the front; ears, shoulders and hands are round."""
+    x, body, head = draw(0.42, 0.5), draw(0.38, 0.44), draw(0.31, 0.36)
+    low, deep = draw(0.5, 0.62), draw(0.28, 0.34)
+    top = low + 2 * body
+    z = top + head + 0.1
+    side, out = head * 1.2, x + 0.19
+    shoulder, hand = top - 0.16, top - draw(0.82, 0.9)
+    cube = box((0, 0, z), (side, head, head), 0.06)
+    drum = tube((0, 0, z - head), (0, 0, z + head), head * 1.12, 0.06)
+    round_head, two = draw.chance(0.4), draw.chance(0.4)
+    side = head * 1.12 if round_head else side
+    rod = join(
+        tube((0, 0, z + head - 0.05), (0, 0, z + head + 0.2), 0.085),
+        ball((0, 0, z + head + 0.26), 0.13),
+    )
+    sole = [(0.17, 0.0), (0.17, low + 0.05), (-0.15, low + 0.05), (-0.15, 0.2), (-0.36, 0.2)]
     return {
-        "body": grown(prism(mirrored(side), 1, half - edge), edge),
-        "neck": join(
-            box((0, front - 0.04, (low + top) / 2), (0.11, 0.12, (top - low) / 2), 0.02),
-            tube((-0.15, front - 0.02, top + 0.06), (0.15, front - 0.02, top + 0.06), 0.19, 0.04),
-            prism(tail, 1, 0.1, front),
+        "body": box((0, 0, low + body), (x, deep, body), 0.05),
+        "head": drum if round_head else cube,
+        "limbs": both(
+            join(
+                box((out, 0, (shoulder + hand) / 2), (0.13, 0.14, (shoulder - hand) / 2), 0.03),
+                moved(prism([*sole, (-0.36, 0.0)], 0, 0.16), (x * 0.52, 0, 0)),
+            )
         ),
-        "holes": both(hole),
-        "bridge": box((0, front - 0.05, high * 0.43), (0.13, 0.14, 0.07), 0.02),
-        "pegs": join(*pegs),
-        "chinrest": egg((-0.43, front, 0.13), (0.2, 0.13, 0.15)),
-    }
-
-
-def ukulele(draw: Draw) -> Parts:
-    """A small guitar with a short neck and four pegs."""
-    low, high, half, neck = draw(0.44, 0.5), draw(1.12, 1.24), draw(0.14, 0.17), draw(0.68, 0.78)
-    top, front = high + neck, -half - 0.02
-    foot = high * 0.76
-    head = [(-0.1, top - 0.02), (0.1, top - 0.02), (0.17, top + 0.4), (-0.17, top + 0.4)]
-    right = [(0, 0), (low * 0.62, high * 0.03), (low, high * 0.27), (low * 0.7, high * 0.57)]
-    right += [(low * 0.78, high * 0.79), (low * 0.43, high * 0.98), (0, high)]
-    return {
-        "body": prism(mirrored(smooth_curve(right, 6)), 1, half),
-        "neck": join(
-            box((0, -half + 0.02, (foot + top) / 2), (0.085, 0.085, (top - foot) / 2)),
-            prism(head, 1, 0.07, -half + 0.04),
+        "eyes": both(
+            tube((side * 0.42, -head - 0.07, z + 0.05), (side * 0.42, -head + 0.2, z + 0.05), 0.12)
         ),
-        "hole": tube((0, front, high * 0.6), (0, 0, high * 0.6), 0.17),
-        "bridge": box((0, -half - 0.02, high * 0.24), (0.2, 0.06, 0.06), 0.02),
-        "pegs": moved(_pegs(0.26, top + 0.1, 2, 0.07), (0, -half + 0.04, 0)),
-    }
-
-
-def banjo(draw: Draw) -> Parts:
-    """A round drum with a long neck."""
-    r, half, neck = draw(0.56, 0.66), draw(0.16, 0.22), draw(1.15, 1.4)
-    top = 2 * r + neck
-    head = [(-0.13, top - 0.05), (0.13, top - 0.05), (0.22, top + 0.38), (0, top + 0.46)]
-    return {
-        "body": join(
-            tube((0, -half, r), (0, half, r), r, 0.03), ring((0, -half + 0.03, r), r, 0.09, axis=1)
+        "aerial": both(moved(rod, (head * 0.62, 0, 0))) if two else rod,
+        "joints": join(
+            tube((0, 0, top - 0.1), (0, 0, z), 0.15),
+            both(tube((side - 0.1, 0, z), (side + 0.09, 0, z), 0.15)),
+            both(ball((out - 0.03, 0, shoulder), 0.2)),
+            both(ball((out, 0, hand - 0.06), 0.185)),
         ),
-        "skin": tube((0, -half - 0.03, r), (0, 0, r), r - 0.1),
-        "neck": join(
-            box((0, -half + 0.02, (r * 1.75 + top) / 2), (0.12, 0.13, (top - r * 1.75) / 2), 0.02),
-            prism([*head, (-0.22, top + 0.38)], 1, 0.1, -half + 0.04),
-        ),
-        "bridge": box((0, -half - 0.04, r * 0.72), (0.24, 0.09, 0.07), 0.02),
-        "pegs": moved(_pegs(0.34, top + 0.08, 2, 0.07), (0, -half + 0.04, 0)),
-    }
-
-
-def trumpet(draw: Draw) -> Parts:
-    """It lies along x: the bell to the left, three valves in the middle."""
-    z, gap, bell, reach = 0.6, draw(0.17, 0.22), draw(0.42, 0.52), draw(1.15, 1.35)
-    flare = [(0.1, -0.1), (0.11, 0.35), (0.2, 0.62), (bell, 0.85), (bell, 0.92)]
-    horn = cut(lathe(smooth_curve(flare, 4), 0.02), lathe([(0.03, 0.5), (bell * 0.86, 0.98)], 0))
-    left = moved(turned(horn, 1, -90), (-reach + 0.88, 0, z + gap))
-    bends = (
-        cut(ring((x, 0, z), gap, 0.1, axis=1), box((x - s, 0, z), (1, 1, 2)))
-        for x, s in ((0.6, 1), (-0.35, -1))
-    )
-    valves = (tube((x, 0, z - 0.42), (x, 0, z + 0.38), 0.13, 0.03) for x in (-0.16, 0.13, 0.42))
-    caps = (
-        join(
-            tube((x, 0, z + 0.3), (x, 0, z + 0.58), 0.08),
-            tube((x, 0, z + 0.54), (x, 0, z + 0.66), 0.13, 0.03),
-        )
-        for x in (-0.16, 0.13, 0.42)
-    )
-    pipe = join(
-        capsule((-0.5, 0, z + gap), (0.6, 0, z + gap), 0.1),
-        capsule((-0.35, 0, z - gap), (reach, 0, z - gap), 0.1),
-    )
-    parts = {
-        "body": join(left, pipe, *bends),
-        "valves": join(*valves),
-        "buttons": join(*caps),
-        "mouthpiece": taper((reach - 0.1, 0, z - gap), (reach + 0.15, 0, z - gap), 0.1, 0.17),
-    }
-    return {name: moved(solid, (-0.13, 0, 0)) for name, solid in parts.items()}
-
-
-def saxophone(draw: Draw) -> Parts:
-    """Upright: the bell turns up at the left, the mouthpiece to the right."""
-    high, bend, bell = draw(1.9, 2.2), draw(0.36, 0.42), draw(0.42, 0.5)
-    x, low = 0.2, 0.58
-    left, mouth = x - 2 * bend, draw(1.1, 1.3)
-    bow = cut(ring((x - bend, 0, low), bend, 0.2, axis=1), box((0, 0, low + 1), (2, 2, 1)))
-    flare = [(0.2, low - 0.05), (0.24, low + 0.3), (bell, mouth)]
-    horn = cut(
-        lathe(smooth_curve(flare, 3), 0.02, (left, 0)),
-        lathe([(0.08, low + 0.25), (bell - 0.1, mouth + 0.04)], 0.0, (left, 0)),
-    )
-    neck = join(
-        capsule((x, 0, high), (x + 0.12, 0, high + 0.2), 0.1),
-        capsule((x + 0.12, 0, high + 0.2), (x + 0.45, 0, high + 0.16), 0.1),
-    )
-    keys = (
-        tube((x - 0.02, -0.26, z), (x - 0.02, 0, z), 0.12, 0.03)
-        for z in (0.75, 1.02, 1.29, 1.56, 1.83)
-        if z < high - 0.1
-    )
-    return {
-        "body": join(taper((x, 0, low), (x, 0, high), 0.2, 0.11), bow, horn, neck),
-        "keys": join(*keys, tube((left, -0.36, low + 0.1), (left, 0, low + 0.1), 0.14, 0.03)),
-        "mouthpiece": taper((x + 0.4, 0, high + 0.16), (x + 0.68, 0, high + 0.06), 0.14, 0.09),
-    }
-
-
-def xylophone(draw: Draw) -> Parts:
-    """Bars of falling length on two rails, with a mallet on top."""
-    count, pitch, long, short = 6 + draw.which(3), 0.3, draw(0.7, 0.85), draw(0.36, 0.46)
-    x = count * pitch / 2
-    bars = [
-        box(((k + 0.5) * pitch - x, 0, 0.3), (0.11, long + (short - long) * k / count, 0.09), 0.03)
-        for k in range(count)
-    ]
-    slope = [(-x - 0.05, 0), (-x - 0.05, long * 0.72), (x + 0.05, short * 0.78), (x + 0.05, 0)]
-    inner = [(-x + 0.15, -1), (-x + 0.15, long * 0.72 - 0.2), (x - 0.15, short * 0.78 - 0.2)]
-    rail = cut(prism(slope, 2, 0.13, 0.13), prism([*inner, (x - 0.15, -1)], 2, 1))
-    start, end = (-x * 0.7, -0.25, 0.46), (x * 0.5, 0.05, 0.46)
-    return {
-        "frame": both(rail, 1),
-        "bars": join(*bars[::2]),
-        "slats": join(*bars[1::2]),
-        "mallet": capsule(start, end, 0.085),
-        "tip": ball(end, 0.16),
     }
 
 
@@ -273,32 +161,49 @@ def puzzle_cube(draw: Draw) -> Parts:
     return {name: moved(part, (0, 0, 1)) for name, part in parts.items()}
 
 
-def basketball_hoop(draw: Draw) -> Parts:
-    """A board with its ring and net on a pole."""
-    x, half, z, r = draw(0.75, 0.9), draw(0.46, 0.55), draw(2.2, 2.4), draw(0.34, 0.4)
-    low, y = z - half * 0.6, -0.2
-    front = y - 0.1 - r
-    net = cut(
-        lathe([(r * 0.55, low - 0.55), (r + 0.02, low)], 0.02, (0, front)),
-        lathe([(r * 0.55 - 0.11, low - 0.7), (r - 0.1, low + 0.1)], 0, (0, front)),
-    )
-    slots = around(8, box((0.3, 0, 0), (0.4, 0.045, 0.2), 0.02), 22.5)
-    net = cut(net, moved(slots, (0, front, low - 0.25)))
+def rubber_duck(draw: Draw) -> Parts:
+    """Flat below, a round head with an open bill, its tail up, a wing at either side."""
+    wide, long, head = draw(0.62, 0.7), draw(0.84, 0.92), draw(0.44, 0.49)
+    y, z = -long * 0.42, draw(1.2, 1.3)
+    hull = cut(egg((0, 0, 0.5), (wide, long, 0.54)), box((0, 0, -0.92), (2, 2, 1)))
+    tail = taper((0, long * 0.5, 0.55), (0, long + 0.1, 1.06), 0.36, 0.09)
+    breast = taper((0, y, 0.55), (0, y, z), 0.42, 0.3)
+    back = (wide * 0.98, long * 0.6, 0.86)
+    stops = [((wide * 0.84, -0.2, 0.62), 0.2), ((wide * 0.94, 0.2, 0.66), 0.18), (back, 0.075)]
+    wing = chain(stops)
+    front = y - head
+    upper = egg((0, front - 0.08, z - 0.04), (0.25, 0.3, 0.09))
     return {
-        "board": box((0, y, z), (x, 0.1, half), 0.02),
-        "ring": join(
-            ring((0, front, low), r, 0.09), box((0, y - 0.08, low), (0.14, 0.12, 0.1), 0.02)
+        "body": blend(0.1, hull, tail, breast, ball((0, y, z), head)),
+        "wings": both(wing),
+        "bill": join(upper, egg((0, front - 0.02, z - 0.17), (0.19, 0.22, 0.08))),
+        "eyes": both(ball((head * 0.5, y - head * 0.76, z + head * 0.36), 0.12)),
+        "pupils": both(ball((head * 0.53, y - head * 0.86, z + head * 0.38), 0.085)),
+    }
+
+
+def piggy_bank(draw: Draw) -> Parts:
+    """A plump pig with short legs, its snout to the front, half a coin in the slot of its back."""
+    r, long = draw(0.72, 0.8), draw(0.84, 0.94)
+    z = r + draw(0.2, 0.28)
+    x, y, face = r * 0.52, long * 0.46, -long - 0.04
+    leg = tube((x, y, 0), (x, y, z * 0.6), 0.2, 0.05)
+    ear = taper((r * 0.46, -long * 0.6, z + r * 0.62), (r * 0.66, -long * 0.72, z + r), 0.2, 0.075)
+    tail = ring((0, long + 0.08, z + 0.14), 0.14, 0.075, axis=0)
+    snout = tube((0, face + 0.2, z - 0.02), (0, face - 0.12, z - 0.02), 0.27, 0.05)
+    nostril = ball((0.1, face - 0.12, z - 0.02), 0.075)
+    eye = ball((r * 0.42, -long * 0.83, z + r * 0.36), 0.09)
+    top = z + r
+    return {
+        "body": join(egg((0, 0, z), (r, long, r)), both(leg, 0, 1), tail),
+        "snout": snout,
+        "ears": both(ear),
+        "eyes": both(join(eye, nostril)),
+        "slot": within(
+            egg((0, 0, z), (r + 0.04, long + 0.04, r + 0.04)),
+            box((0, 0.05, top), (0.14, 0.44, 0.3)),
         ),
-        "net": net,
-        "pole": join(
-            capsule((0, 0.35, 0.1), (0, 0.35, z - 0.35), 0.13),
-            capsule((0, 0.35, z - 0.35), (0, y, z), 0.12),
-            box((0, 0.3, 0.08), (0.55, 0.5, 0.1), 0.04),
-        ),
-        "square": cut(
-            box((0, y - 0.02, z + 0.02), (x * 0.42, 0.11, half * 0.5)),
-            box((0, y, z + 0.02), (x * 0.42 - 0.1, 1, half * 0.5 - 0.1)),
-        ),
+        "coin": tube((-0.075, 0.05, top + 0.1), (0.075, 0.05, top + 0.1), draw(0.28, 0.33), 0.02),
     }
 
 
@@ -358,17 +263,13 @@ def trampoline(draw: Draw) -> Parts:
 
 
 TOYS = {
-    "violin": violin,
-    "trumpet": trumpet,
-    "xylophone": xylophone,
-    "banjo": banjo,
-    "ukulele": ukulele,
-    "saxophone": saxophone,
+    "robot": robot,
     "rocking horse": rocking_horse,
     "spinning top": spinning_top,
     "lego brick": lego_brick,
     "puzzle cube": puzzle_cube,
-    "basketball hoop": basketball_hoop,
+    "rubber duck": rubber_duck,
+    "piggy bank": piggy_bank,
     "slide": slide,
     "trampoline": trampoline,
 }

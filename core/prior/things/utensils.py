@@ -1,4 +1,4 @@
-"""What a kitchen's drawer and its shelf hold, and a bottle of perfume."""
+"""Kitchen utensils, a jug and perfume."""
 
 import math
 
@@ -32,6 +32,54 @@ def _faceted(sides: int, profile: list[tuple[float, float]]) -> Solid:
     """The profile (reach, height) about the vertical with flat sides, one of them to the front."""
     slab = prism([*profile, (-0.1, profile[-1][1]), (-0.1, profile[0][1])], 1, 4.0)
     return around(sides, slab, -90)
+
+
+def _puck(r: float) -> Solid:
+    return tube((0, 0, 0), (0, 0, 0.14), r, 0.03)
+
+
+def perfume(draw: Draw) -> Parts:
+    """A thick bottle with a label, a golden collar and a stopper; some with a bulb to spray by."""
+    kind, high, x = draw.which(3), draw(0.98, 1.14), draw(0.66, 0.76)
+    y, bulb = x * draw(0.5, 0.6), None
+    if kind == 0:  # a block
+        glass = join(
+            box((0, 0, high / 2), (x, y, high / 2), 0.06),
+            box((0, 0, high), (x * 0.5, y * 0.6, 0.1), 0.03),
+        )
+        label = box((0, -y, high * 0.5), (x * 0.58, 0.06, high * 0.24), 0.02)
+        stopper = box((0, 0, high + 0.54), (0.34, 0.28, 0.27), 0.04)
+    elif kind == 1:  # faceted like a gem
+        cuts = [(x * 0.62, 0.0), (x, high * 0.34), (x * 0.86, high * 0.8), (0.3, high + 0.06)]
+        glass = _faceted(8, cuts)
+        label = within(
+            box((0, -x, high * 0.56), (x * 0.28, 0.4, high * 0.19)),
+            _faceted(8, [(r + 0.06, z) for r, z in cuts]),
+        )
+        stopper = _faceted(
+            6, [(0.16, high + 0.24), (0.36, high + 0.5), (0.3, high + 0.74), (0.1, high + 0.92)]
+        )
+    else:  # round, with a bulb
+        glass = join(egg((0, 0, high * 0.52), (x, y + 0.1, high * 0.52)), _puck(x * 0.6))
+        label = tube((0, -y - 0.14, high * 0.5), (0, 0, high * 0.5), 0.3, 0.02)
+        stopper = egg((0, 0, high + 0.48), (0.2, 0.2, 0.24))
+    z = high + 0.3
+    if kind == 2:
+        hose = [(0.1, z), (0.46, z + 0.06), (0.78, z - 0.1), (0.98, z - 0.42)]
+        bulb = join(
+            limb([(u, 0, v) for u, v in smooth_curve(hose, 3)], 0.085, 0.085),
+            egg((1.04, 0, z - 0.64), (0.26, 0.26, 0.33)),
+            taper((1.04, 0, z - 0.98), (1.04, 0, z - 1.2), 0.085, 0.13),
+        )
+    spray = tube((-0.3, 0, z), (0, 0, z), 0.09, 0.02)
+    neck = lathe([(0.27, high - 0.05), (0.27, high + 0.13), (0.2, high + 0.16), (0.2, high + 0.4)])
+    parts = {
+        "bottle": glass,
+        "label": label,
+        "collar": join(neck, spray) if kind == 2 else neck,
+        "cap": stopper,
+    }
+    return parts | ({"bulb": bulb} if bulb else {})
 
 
 def colander(draw: Draw) -> Parts:
@@ -114,6 +162,13 @@ def spatula(draw: Draw) -> Parts:
     }
 
 
+def smooth_arc(foot: tuple[float, float], rise: float) -> list[tuple[float, float, float]]:
+    """A bow's half from its foot (x, z) up and over to the middle."""
+    x, z = foot
+    stops = [(x, z), (x * 0.98, z + rise * 0.6), (x * 0.6, z + rise * 0.96), (0.0, z + rise)]
+    return [(u, 0.0, v) for u, v in smooth_curve(stops, 3)]
+
+
 def grater(draw: Draw) -> Parts:
     """A box that narrows upwards, coarse teeth before, slits at the sides, a bow for a handle."""
     wide, top, high = draw(0.66, 0.74), draw(0.42, 0.48), draw(1.5, 1.64)
@@ -154,13 +209,6 @@ def grater(draw: Draw) -> Parts:
             box((0, 0, high), (top + 0.05, thin + 0.05, 0.075), 0.03),
         ),
     }
-
-
-def smooth_arc(foot: tuple[float, float], rise: float) -> list[tuple[float, float, float]]:
-    """A bow's half from its foot (x, z) up and over to the middle."""
-    x, z = foot
-    stops = [(x, z), (x * 0.98, z + rise * 0.6), (x * 0.6, z + rise * 0.96), (0.0, z + rise)]
-    return [(u, 0.0, v) for u, v in smooth_curve(stops, 3)]
 
 
 def jug(draw: Draw) -> Parts:
@@ -226,60 +274,12 @@ def moka_pot(draw: Draw) -> Parts:
     }
 
 
-def perfume(draw: Draw) -> Parts:
-    """A thick bottle with a label, a golden collar and a stopper; some with a bulb to spray by."""
-    kind, high, x = draw.which(3), draw(0.98, 1.14), draw(0.66, 0.76)
-    y, bulb = x * draw(0.5, 0.6), None
-    if kind == 0:  # a block
-        glass = join(
-            box((0, 0, high / 2), (x, y, high / 2), 0.06),
-            box((0, 0, high), (x * 0.5, y * 0.6, 0.1), 0.03),
-        )
-        label = box((0, -y, high * 0.5), (x * 0.58, 0.06, high * 0.24), 0.02)
-        stopper = box((0, 0, high + 0.54), (0.34, 0.28, 0.27), 0.04)
-    elif kind == 1:  # faceted like a gem
-        cuts = [(x * 0.62, 0.0), (x, high * 0.34), (x * 0.86, high * 0.8), (0.3, high + 0.06)]
-        glass = _faceted(8, cuts)
-        label = within(
-            box((0, -x, high * 0.56), (x * 0.28, 0.4, high * 0.19)),
-            _faceted(8, [(r + 0.06, z) for r, z in cuts]),
-        )
-        stopper = _faceted(
-            6, [(0.16, high + 0.24), (0.36, high + 0.5), (0.3, high + 0.74), (0.1, high + 0.92)]
-        )
-    else:  # round, with a bulb
-        glass = join(egg((0, 0, high * 0.52), (x, y + 0.1, high * 0.52)), _puck(x * 0.6))
-        label = tube((0, -y - 0.14, high * 0.5), (0, 0, high * 0.5), 0.3, 0.02)
-        stopper = egg((0, 0, high + 0.48), (0.2, 0.2, 0.24))
-    z = high + 0.3
-    if kind == 2:
-        hose = [(0.1, z), (0.46, z + 0.06), (0.78, z - 0.1), (0.98, z - 0.42)]
-        bulb = join(
-            limb([(u, 0, v) for u, v in smooth_curve(hose, 3)], 0.085, 0.085),
-            egg((1.04, 0, z - 0.64), (0.26, 0.26, 0.33)),
-            taper((1.04, 0, z - 0.98), (1.04, 0, z - 1.2), 0.085, 0.13),
-        )
-    spray = tube((-0.3, 0, z), (0, 0, z), 0.09, 0.02)
-    neck = lathe([(0.27, high - 0.05), (0.27, high + 0.13), (0.2, high + 0.16), (0.2, high + 0.4)])
-    parts = {
-        "bottle": glass,
-        "label": label,
-        "collar": join(neck, spray) if kind == 2 else neck,
-        "cap": stopper,
-    }
-    return parts | ({"bulb": bulb} if bulb else {})
-
-
-def _puck(r: float) -> Solid:
-    return tube((0, 0, 0), (0, 0, 0.14), r, 0.03)
-
-
 UTENSILS = {
+    "perfume": perfume,
     "colander": colander,
     "whisk": whisk,
     "spatula": spatula,
     "grater": grater,
     "jug": jug,
     "moka pot": moka_pot,
-    "perfume": perfume,
 }

@@ -1,4 +1,6 @@
-"""Props that stand outdoors, and what is carried there."""
+"""Objects of a yard or a camp, a chain and horse tack."""
+
+import math
 
 from core.prior.draw import Draw
 from core.prior.solids import (
@@ -14,61 +16,29 @@ from core.prior.solids import (
     egg,
     join,
     lathe,
+    limb,
+    moved,
     prism,
     ring,
     smooth_curve,
-    taper,
+    tilted,
     tube,
+    turned,
+    within,
 )
 
 
-def barrel(draw: Draw) -> Parts:
-    """Staves that bulge, hoops."""
-    r, high, bulge = draw(0.62, 0.75), draw(1.7, 2.1), draw(1.15, 1.3)
-    side = smooth_curve(
-        [
-            (r, 0.0),
-            (r * (1 + bulge) / 2 * 1.04, high * 0.22),
-            (r * bulge, high / 2),
-            (r * (1 + bulge) / 2 * 1.04, high * 0.78),
-            (r, high),
-        ]
+def fence(draw: Draw) -> Parts:
+    """Pickets on two rails."""
+    count, high, half = int(draw(4, 6)), draw(1.1, 1.4), draw(0.15, 0.18)
+    step = 2.8 / count
+    corners = [(-half, 0), (half, 0), (half, high - 0.2), (0, high), (-half, high - 0.2)]
+    pickets = (
+        prism([(u + step * (k - (count - 1) / 2), v) for u, v in corners], 1, 0.09)
+        for k in range(count)
     )
-    body = cut(lathe(side), tube((0, 0, high - 0.1), (0, 0, high + 1), r * 0.84))
-    body = cut(body, tube((0, 0, -1), (0, 0, 0.1), r * 0.84))
-    at = (0.13, 0.36, 0.64, 0.87)
-    wide = [r * (1 + (bulge - 1) * (1 - (2 * k - 1) ** 2)) for k in at]
-    hoops = (
-        tube((0, 0, high * k - 0.08), (0, 0, high * k + 0.08), w + 0.05, 0.02)
-        for k, w in zip(at, wide, strict=True)
-    )
-    inside = tube((0, 0, -1), (0, 0, high + 1), r * 0.8)
-    return {"body": body, "hoops": cut(join(*hoops), inside)}
-
-
-def crate(draw: Draw) -> Parts:
-    """Planks in a frame, a brace across each side."""
-    x, y, z = draw(0.8, 0.95), draw(0.75, 0.95), draw(0.72, 0.95)
-    edge = draw(0.15, 0.18)  # half the frame's
-    holes = (
-        box((0, 0, z), (x - 2 * edge, 2, z - 2 * edge)),
-        box((0, 0, z), (2, y - 2 * edge, z - 2 * edge)),
-        box((0, 0, z), (x - 2 * edge, y - 2 * edge, 2)),
-    )
-    v = z - edge * 1.2
-
-    def brace(half: float) -> list[tuple[float, float]]:
-        u, wide = half - edge * 1.2, edge * 0.8
-        return [(-u - wide, z - v), (-u + wide, z - v), (u + wide, z + v), (u - wide, z + v)]
-
-    return {
-        "planks": box((0, 0, z), (x - 0.13, y - 0.13, z - 0.13)),
-        "frame": cut(box((0, 0, z), (x, y, z)), *holes),
-        "braces": join(
-            *(prism(brace(x), 1, 0.05, k * (y - 0.09)) for k in (-1, 1)),
-            *(prism(brace(y), 0, 0.05, k * (x - 0.09)) for k in (-1, 1)),
-        ),
-    }
+    rails = join(*(box((0, 0.12, high * k), (1.4, 0.09, 0.11)) for k in (0.25, 0.72)))
+    return {"pickets": join(*pickets), "rails": rails}
 
 
 def well(draw: Draw) -> Parts:
@@ -87,6 +57,16 @@ def well(draw: Draw) -> Parts:
         ),
         "water": tube((0, 0, 0.05), (0, 0, high * 0.6), r - 0.1),
     }
+
+
+def ladder(draw: Draw) -> Parts:
+    """Two rails, rungs."""
+    x, high, count = draw(0.4, 0.5), draw(2.0, 2.4), int(draw(4, 7))
+    rungs = (
+        tube((-x, 0, high * (k + 0.5) / count), (x, 0, high * (k + 0.5) / count), 0.09)
+        for k in range(count)
+    )
+    return {"rails": both(box((x, 0, high / 2), (0.1, 0.1, high / 2), 0.02)), "rungs": join(*rungs)}
 
 
 def tent(draw: Draw) -> Parts:
@@ -109,140 +89,6 @@ def campfire(draw: Draw) -> Parts:
     return {"flame": lathe(fire, 0.04), "logs": logs, "stones": stones, "ash": ground}
 
 
-def signpost(draw: Draw) -> Parts:
-    """A post with one or two arrow boards."""
-    high, wide = draw(1.9, 2.2), draw(0.75, 0.9)
-
-    def board(z: float, side: float) -> Solid:
-        half = 0.22
-        corners = [
-            (-wide * 0.8, z - half),
-            (wide * 0.7, z - half),
-            (wide, z),
-            (wide * 0.7, z + half),
-            (-wide * 0.8, z + half),
-        ]
-        return prism([(side * u, v) for u, v in corners], 1, 0.09, -0.12)
-
-    boards = [board(high - 0.35, 1)] + ([board(high - 0.95, -1)] if draw.chance(0.6) else [])
-    return {
-        "boards": join(*boards),
-        "post": box((0, 0, high / 2), (0.12, 0.12, high / 2), 0.02),
-        "base": tube((0, 0, 0), (0, 0, 0.12), 0.4, 0.03),
-    }
-
-
-def ladder(draw: Draw) -> Parts:
-    """Two rails, rungs."""
-    x, high, count = draw(0.4, 0.5), draw(2.0, 2.4), int(draw(4, 7))
-    rungs = (
-        tube((-x, 0, high * (k + 0.5) / count), (x, 0, high * (k + 0.5) / count), 0.09)
-        for k in range(count)
-    )
-    return {"rails": both(box((x, 0, high / 2), (0.1, 0.1, high / 2), 0.02)), "rungs": join(*rungs)}
-
-
-def fence(draw: Draw) -> Parts:
-    """Pickets on two rails."""
-    count, high, half = int(draw(4, 6)), draw(1.1, 1.4), draw(0.15, 0.18)
-    step = 2.8 / count
-    corners = [(-half, 0), (half, 0), (half, high - 0.2), (0, high), (-half, high - 0.2)]
-    pickets = (
-        prism([(u + step * (k - (count - 1) / 2), v) for u, v in corners], 1, 0.09)
-        for k in range(count)
-    )
-    rails = join(*(box((0, 0.12, high * k), (1.4, 0.09, 0.11)) for k in (0.25, 0.72)))
-    return {"pickets": join(*pickets), "rails": rails}
-
-
-def mailbox(draw: Draw) -> Parts:
-    """A tunnel-shaped box on a post, a flag at its side."""
-    r, y, high = draw(0.4, 0.48), draw(0.7, 0.85), draw(1.2, 1.5)
-    tunnel = join(
-        tube((0, -y, high + r), (0, y, high + r), r, 0.02), box((0, 0, high + r / 2), (r, y, r / 2))
-    )
-    return {
-        "box": tunnel,
-        "door": join(
-            tube((0, -y - 0.08, high + r), (0, -y, high + r), r * 0.86),
-            box((0, -y - 0.04, high + r / 2), (r * 0.86, 0.04, r / 2)),
-        ),
-        "flag": join(
-            box((r + 0.06, -0.1, high + r + 0.2), (0.08, 0.08, 0.35)),
-            box((r + 0.06, -0.26, high + r + 0.45), (0.08, 0.2, 0.14)),
-        ),
-        "post": box((0, 0, high / 2), (0.14, 0.14, high / 2 + 0.05), 0.02),
-    }
-
-
-def gift(draw: Draw) -> Parts:
-    """A box with a lid, a ribbon and a bow."""
-    x, y, z = draw(0.7, 0.9), draw(0.7, 0.9), draw(0.5, 0.75)
-    top = 2 * z + 0.14
-    ribbon = join(
-        box((0, 0, top / 2), (0.13, y + 0.1, top / 2 + 0.05)),
-        box((0, 0, top / 2), (x + 0.1, 0.13, top / 2 + 0.05)),
-    )
-    loop = ring((0.26, 0, top + 0.22), 0.19, 0.1, 1)
-    return {
-        "box": box((0, 0, z), (x, y, z)),
-        "lid": box((0, 0, 2 * z), (x + 0.06, y + 0.06, 0.16), 0.01),
-        "ribbon": ribbon,
-        "bow": join(both(loop), ball((0, 0, top + 0.12), 0.14)),
-    }
-
-
-def basket(draw: Draw) -> Parts:
-    """A woven basket with a high handle."""
-    r, high = draw(0.75, 0.9), draw(0.65, 0.85)
-    body = cut(
-        lathe([(r * 0.72, 0), (r, high)], 0.02), lathe([(r * 0.56, 0.14), (r * 0.86, high + 0.2)])
-    )
-    return {
-        "body": body,
-        "handle": cut(ring((0, 0, high), r * 0.94, 0.1, 1), box((0, 0, high - 1.1), (2, 2, 1))),
-        "rim": ring((0, 0, high), r * 0.94, 0.12),
-    }
-
-
-def balloon(draw: Draw) -> Parts:
-    """A toy balloon with its knot and a bit of string."""
-    wide, high = draw(0.75, 0.85), draw(0.9, 1.05)
-    body = blend(
-        0.2, egg((0, 0, 1.5), (wide, wide, high)), taper((0, 0, 0.9), (0, 0, 0.55), 0.35, 0.1)
-    )
-    return {
-        "body": body,
-        "knot": lathe([(0.2, 0.32), (0.09, 0.52)], 0.02),
-        "string": capsule((0, 0, -0.3), (0, 0, 0.4), 0.09),
-    }
-
-
-def umbrella(draw: Draw) -> Parts:
-    """Open: a canopy, a stick, a crook."""
-    r, top, crook = draw(1.1, 1.3), draw(1.7, 1.9), 0.2
-    dome = cut(egg((0, 0, top - 0.6), (r, r, 0.85)), box((0, 0, top - 2.55), (3, 3, 2.0)))
-    dome = cut(dome, egg((0, 0, top - 0.72), (r - 0.1, r - 0.1, 0.8)))
-    hook = cut(ring((crook, 0, 0.1), crook, 0.09, 1), box((0, 0, 2.1), (3, 3, 2.0)))
-    return {
-        "canopy": dome,
-        "stick": capsule((0, 0, 0.1), (0, 0, top + 0.35), 0.09),
-        "handle": join(hook, capsule((0, 0, 0.1), (0, 0, 0.45), 0.1)),
-    }
-
-
-def arrow(draw: Draw) -> Parts:
-    """Point up, feathers below."""
-    high = draw(2.2, 2.5)
-    head = prism([(-0.14, high), (0.14, high), (0, high + 0.5)], 1, 0.05)
-    feather = prism([(0.0, 0.1), (0.18, 0.0), (0.18, 0.5), (0.0, 0.72)], 1, 0.04)
-    return {
-        "head": head,
-        "shaft": capsule((0, 0, 0.1), (0, 0, high + 0.1), 0.052),
-        "feathers": around(4, feather),
-    }
-
-
 def flag(draw: Draw) -> Parts:
     """A flag on a pole with a foot."""
     high, wide, tall = draw(2.2, 2.5), draw(1.0, 1.25), draw(0.6, 0.75)
@@ -257,20 +103,169 @@ def flag(draw: Draw) -> Parts:
     }
 
 
+def nest(draw: Draw) -> Parts:
+    """A thick bowl of rings that lie askew, twigs woven about it, three eggs on the straw."""
+    r, high, thick = draw(0.9, 0.98), draw(0.74, 0.84), draw(0.2, 0.23)
+    size, first = draw(0.33, 0.36), 30 if draw.chance(0.5) else 90
+    levels = ((0.26, 0.76, 0.05, 90), (0.62, 0.94, 0.05, 210), (0.98, 1.0, 0.05, 330))
+
+    def askew(z: float, wide: float, off: float, turn: float) -> Solid:
+        a = math.radians(turn)
+        return ring((off * math.cos(a), off * math.sin(a), high * z), r * wide, thick)
+
+    def twig(turn: float, out: float, z: float, tilt: float) -> Solid:
+        return turned(capsule((out, -0.54, z - tilt), (out, 0.54, z + tilt), 0.115), 2, turn)
+
+    laid = egg((size * 1.12, 0, high * 0.98), (size * 0.96, size * 0.96, size * 1.26))
+    low = [twig(72 * k + 18, r * 0.92 + thick * 0.6, high * 0.46, 0.14) for k in range(5)]
+    top = [twig(72 * k + 54, r + thick * 0.6, high * 0.92, -0.12) for k in range(5)]
+    hollow = lathe([(r * 0.5, high * 0.5), (r * 0.8, high), (r * 0.8, 2)])
+    return {
+        "bowl": join(
+            cut(lathe([(r * 0.6, 0.06), (r * 0.9, high * 0.5), (r * 0.96, high)], 0.06), hollow),
+            *(askew(*level) for level in levels),
+        ),
+        "twigs": join(*low, *top),
+        "straw": join(
+            tube((0, 0, 0.2), (0, 0, high * 0.6), r * 0.7),
+            ring((0, 0, high * 0.98), r * 0.8, 0.17),
+        ),
+        "eggs": join(*(turned(laid, 2, first + 120 * k) for k in range(3))),
+    }
+
+
+def padlock(draw: Draw) -> Parts:
+    """Its keyhole to the front, its shackle above."""
+    x, y, high = draw(0.62, 0.72), draw(0.24, 0.3), draw(1.0, 1.2)
+    bow, thick = x - draw(0.2, 0.25), draw(0.12, 0.145)
+    top = high + draw(0.25, 0.4)
+    body = box((0, 0, high / 2), (x, y, high / 2), draw(0.06, 0.16))
+    if draw.chance(0.3):
+        body = join(
+            tube((0, -y, x), (0, y, x), x, 0.06), box((0, 0, x + 0.32), (x * 0.92, y, 0.32), 0.06)
+        )
+        top = max(top, x + 0.95)
+    arc = cut(ring((0, 0, top), bow, thick, 1), box((0, 0, top - 1), (2, 1, 1)))
+    return {
+        "body": body,
+        "shackle": join(arc, both(tube((bow, 0, 0.6), (bow, 0, top + 0.01), thick))),
+        "keyhole": join(
+            tube((0, -y - 0.03, high * 0.52), (0, 0, high * 0.52), 0.14),
+            prism(
+                [
+                    (-0.07, high * 0.52),
+                    (0.07, high * 0.52),
+                    (0.12, high * 0.22),
+                    (-0.12, high * 0.22),
+                ],
+                1,
+                (y + 0.03) / 2,
+                -(y + 0.03) / 2,
+            ),
+        ),
+    }
+
+
+def _link(x: float, half: float, major: float, minor: float) -> Solid:
+    """A link in the plane of x and y: two bows of a ring and the straights between them."""
+    bent = ring((0, 0, 0), major, minor)
+    straight = both(capsule((-half, major, 0), (half, major, 0), minor), 1)
+    ends = both(cut(moved(bent, (half, 0, 0)), box((half - 3, 0, 0), (3, 3, 3))))
+    return moved(join(straight, ends), (x, 0, 0))
+
+
+def chain(draw: Draw) -> Parts:
+    """Three long links that lie in a row, each turned against its neighbours."""
+    minor, half, lean = draw(0.12, 0.145), draw(0.16, 0.34), draw(36, 54)
+    major = minor * draw(2.15, 2.5)
+    pitch = 2 * (half + major) - 2 * minor - 0.07
+    z = (major + minor) * 0.8
+
+    def links(places: tuple[int, ...], degrees: float) -> Solid:
+        row = join(*(_link(k * pitch, half, major, minor) for k in places))
+        return moved(turned(row, 0, degrees), (0, 0, z))
+
+    return {"links": links((-1, 1), lean), "rings": links((0,), lean - 90)}
+
+
+def horseshoe(draw: Draw) -> Parts:
+    """Upright, open above: a flat bow of iron with a groove and nails in either branch."""
+    out, wide, deep = draw(0.92, 1.02), draw(0.36, 0.42), draw(0.14, 0.18)
+    tall, pinch = draw(0.8, 0.96), draw(0.62, 0.72)
+    z = out
+
+    def branch(off: float) -> list[tuple[float, float]]:
+        """The right half of a line within the bow, from its bottom to its heel."""
+        r = out - off
+        points = [(r * math.sin(a), z - r * math.cos(a)) for a in (0, 0.4, 0.8, 1.2, 1.6)]
+        return smooth_curve([*points, (r - 0.08, z + tall * 0.5), (r - out + pinch, z + tall)], 3)
+
+    outer, inner = branch(0.0), branch(wide)
+    half = [*outer, *reversed(inner)]
+    middle = branch(wide / 2)
+    groove = limb([(u, 0.0, v) for u, v in middle[4:-2]], 0.095, 0.095)
+    sides = both(both(moved(groove, (0, deep - 0.045, 0))), 1)
+    nails = [box((u, 0, v), (0.085, deep + 0.1, 0.08), 0.02) for u, v in middle[6:-3:3]]
+    x, top = middle[-1][0], z + tall - 0.02
+    heel = tube((x, -deep - 0.04, top), (x, deep + 0.04, top), wide * 0.53, 0.03)
+    clip = [(-0.22, -0.04), (0.22, -0.04), (0.12, 0.3), (-0.12, 0.3)]
+    return {
+        "shoe": both(prism(half, 1, deep)),
+        "grooves": sides,
+        "nails": both(join(*nails)),
+        "heels": both(heel),
+        "clip": moved(prism(clip, 1, deep + 0.08), (0, 0, 0.02)),
+    }
+
+
+def saddle(draw: Draw) -> Parts:
+    """A western saddle: a deep seat between horn and cantle, flaps, stirrups at the sides."""
+    r, c, back = draw(0.62, 0.68), draw(1.2, 1.26), draw(0.72, 0.8)
+    top, foot = c + r, c - draw(0.96, 1.02)
+
+    def bent(radius: float, side: list[tuple[float, float]]) -> Solid:
+        """A sheet over the horse's back that hangs straight from its widest; seen from the side."""
+        over = cut(tube((0, -1.2, c), (0, 1.2, c), radius), box((0, 0, c - 1), (2, 2, 1)))
+        sheet = join(over, box((0, 0, c - 1), (radius, 1.2, 1.01)))
+        inner = join(
+            tube((0, -2, c), (0, 2, c), radius - 0.16), box((0, 0, c - 1), (radius - 0.16, 2, 1))
+        )
+        return within(cut(sheet, inner), prism(side, 0, 2))
+
+    rug = smooth_curve([(-0.9, c + 0.7), (-0.92, c + 0.2), (-0.7, c - 0.12), (0, c - 0.16),
+                        (0.74, c - 0.12), (0.98, c + 0.2), (0.92, c + 0.8)])  # fmt: skip
+    fender = [(-0.14, c + 0.54), (-0.36, c + 0.2), (-0.34, c - 0.3), (-0.14, c - 0.68),
+              (0.14, c - 0.68), (0.3, c - 0.3), (0.26, c + 0.2), (0.12, c + 0.54)]  # fmt: skip
+    horn = ((0, -0.64, top + 0.14), (0, -0.76, top + 0.44))
+    loop = within(ring((r, 0, foot), 0.24, 0.085, axis=0), box((0, 0, foot + 1), (2, 2, 1.04)))
+    sides = both(capsule((r, 0.24, foot), (r, 0.24, foot - 0.18), 0.085), 0, 1)
+    return {
+        "skirt": bent(r, rug),
+        "seat": blend(
+            0.16,
+            egg((0, 0.06, top - 0.02), (0.52, 0.76, 0.19)),
+            tilted(egg((0, 0, 0), (0.52, 0.15, 0.38)), -24, (0, back, top + 0.12)),
+            egg((0, -0.58, top), (0.48, 0.22, 0.28)),
+        ),
+        "horn": join(
+            capsule(*horn, 0.1), tilted(tube((0, 0, 0), (0, 0, 0.14), 0.2, 0.04), 12, horn[1])
+        ),
+        "flaps": bent(r + 0.09, smooth_curve(fender)),
+        "stirrups": join(both(loop), sides, both(box((r, 0, foot - 0.2), (0.16, 0.3, 0.08), 0.03))),
+        "rivets": both(join(*(ball((r * 0.9, v, c + r * 0.42), 0.11) for v in (-0.66, 0.72)))),
+    }
+
+
 YARD = {
-    "barrel": barrel,
-    "crate": crate,
+    "fence": fence,
     "well": well,
+    "ladder": ladder,
     "tent": tent,
     "campfire": campfire,
-    "signpost": signpost,
-    "ladder": ladder,
-    "fence": fence,
-    "mailbox": mailbox,
-    "gift": gift,
-    "basket": basket,
-    "balloon": balloon,
-    "umbrella": umbrella,
-    "arrow": arrow,
     "flag": flag,
+    "nest": nest,
+    "padlock": padlock,
+    "chain": chain,
+    "horseshoe": horseshoe,
+    "saddle": saddle,
 }

@@ -1,0 +1,1 @@
+"""Solids, outlines and measures that several of the themes use."""

@@ -1,0 +1,25 @@
+"""Parts of vehicles: a slanted pane, a ship's hull."""
+
+import math
+
+from core.prior.solids import Point, Solid, outlined, prism, smooth_curve
+
+
+def ship_hull(x: float, y: float, deck: float, bow: float) -> Solid:
+    """A hull with a pointed raking bow, ``bow`` higher than its deck, and a straight stern."""
+    plan = smooth_curve([(x * 0.86, y), (x, y * 0.5), (x, -y * 0.3), (x * 0.66, -y * 0.72),
+                         (0.04, -y - 0.1)])  # fmt: skip
+    side = [(y, deck), (y * 0.95, 0), (-y * 0.76, 0), (-y - 0.08, deck + bow),
+            (-y * 0.4, deck + bow * 0.5), (y * 0.2, deck)]  # fmt: skip
+    return outlined(side, plan)
+
+
+def pane(low: Point, high: Point, out: int, half: float) -> Solid:
+    """A pane on a cabin's slanted end, of which the lower and the upper edge are given as (y, z);
+    ``out`` is the side of y that it looks to."""
+    (a, b), (c, d) = low, high
+    length = math.hypot(c - a, d - b)
+    across = (out * (d - b) / length * 0.06, abs(c - a) / length * 0.06)
+    ends = [(a + (c - a) * t, b + (d - b) * t) for t in (0.3, 0.84)]
+    corners = [(u + s * across[0], v + s * across[1]) for s in (1, -1) for u, v in ends[::s]]
+    return prism(corners, 0, half)
