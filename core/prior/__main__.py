@@ -1,8 +1,8 @@
 """Make the built-in prior: ``python -m core.prior data | train | evaluate | ship``.
 
 From nothing, on two CPU cores: ``data`` for some minutes, then ``train geometry`` and
-``train appearance`` side by side, then ``evaluate``. The shipped weights were made so; how
-long each step ran is in docs/model_card.md.
+``train appearance`` at the same time, then ``evaluate``. The shipped weights were made this way;
+docs/model_card.md states how long each step ran.
 """
 
 import argparse
@@ -67,37 +67,37 @@ TRAININGS = {
     "parts": (partial(UNet, PART_NETWORK), PartMaps, FINDING_PARTS, part_loss),
     "restorer": (partial(UNet, RESTORER), Restoring, RESTORING, restoring_loss),
 }
-MOST = 10_000_000  # of anything that is counted here
-PATTERNED = 32  # objects, of each pattern
+MOST = 10_000_000  # the largest number that an option takes
+PATTERNED = 32  # objects of each pattern
 
 
 def count(text: str) -> int:
     """A whole number of files or views, 0 or more."""
     if not text.isdecimal() or int(text) > MOST:
-        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 0 to {MOST}")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 to {MOST}")
     return int(text)
 
 
 def some(text: str) -> int:
-    """The same, 1 or more."""
+    """A whole number, 1 or more."""
     if not count(text):
-        raise argparse.ArgumentTypeError("0 is too few; it takes 1 or more")
+        raise argparse.ArgumentTypeError("0 is too few; use 1 or more")
     return count(text)
 
 
 def positive(text: str) -> float:
-    """A number above 0 that ends."""
+    """A finite number above 0."""
     try:
         given = float(text)
     except ValueError:
         given = math.nan
     if not 0 < given < MOST:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number between 0 and {MOST}")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number between 0 and {MOST}")
     return given
 
 
 def parser() -> argparse.ArgumentParser:
-    """The five commands."""
+    """The parser of the five commands."""
     top = argparse.ArgumentParser("core.prior", description=__doc__)
     commands = top.add_subparsers(dest="command", required=True)
 
@@ -112,44 +112,46 @@ def parser() -> argparse.ArgumentParser:
     )
 
     train = commands.add_parser(
-        "train", help="train one network; goes on from the checkpoint in --out if there is one"
+        "train", help="train one network; continues from the checkpoint in --out if there is one"
     )
     train.add_argument("network", choices=tuple(TRAININGS))
     train.add_argument("--minutes", type=positive, help="the whole budget of this training")
     train.add_argument(
-        "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to begin with"
+        "--start", type=Path, metavar="FILE", help="weights of an older vocabulary to start from"
     )
     train.add_argument(
-        "--hold", action="store_true", help="let only the nouns learn that there are data of"
+        "--hold", action="store_true", help="train only the nouns that the data contains"
     )
     train.add_argument(
         "--anew",
         action="store_true",
-        help="of solids: begin the kinds of the data's nouns anew; their families changed",
+        help="solids only: start the kinds of the data's nouns again; their families changed",
     )
     train.add_argument(
         "--encoder",
         type=Path,
         metavar="FILE",
-        help="of solids: an older checkpoint's to begin with",
+        help="solids only: start from the encoder of this older checkpoint",
     )
-    train.add_argument("--learning-rate", type=positive, help="at its highest")
-    train.add_argument("--batch", type=some, help="pictures of one step; more on a GPU")
+    train.add_argument("--learning-rate", type=positive, help="the highest learning rate")
+    train.add_argument("--batch", type=some, help="pictures in one step; more on a GPU")
     train.add_argument("--seed", type=count, default=0)
     train.add_argument("--device", default="cpu", choices=("cpu", "cuda"), help="cpu or cuda")
 
     evaluate = commands.add_parser("evaluate", help="nouns, azimuths, colours, on fresh renders")
     evaluate.add_argument("network", choices=tuple(TRAININGS))
-    evaluate.add_argument("--weights", type=Path, help="others than the shipped ones")
-    evaluate.add_argument("--views", type=some, default=16, help="of each noun")
+    evaluate.add_argument("--weights", type=Path, help="weights other than the shipped ones")
+    evaluate.add_argument("--views", type=some, default=16, help="views of each noun")
     evaluate.add_argument("--nouns", nargs="*", default=NOUNS, choices=NOUNS)
     evaluate.add_argument("--close", action="store_true", help="the restorer on close-ups")
-    evaluate.add_argument("--seed", type=count, default=1_000_000, help="the data's end at 100,000")
+    evaluate.add_argument(
+        "--seed", type=count, default=1_000_000, help="the data's seeds end at 100,000"
+    )
 
-    ship = commands.add_parser("ship", help="put the trained weights into the project")
-    ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="not good enough")
+    ship = commands.add_parser("ship", help="copy the trained weights into the project")
+    ship.add_argument("--without", nargs="*", default=[], metavar="WORD", help="words to leave out")
 
-    forms = commands.add_parser("forms", help="ask the families how flat and round each part is")
+    forms = commands.add_parser("forms", help="measure how flat and round the families' parts are")
 
     for command in (data, forms):
         command.add_argument("--nouns", nargs="+", default=NOUNS, choices=NOUNS, metavar="NOUN")
@@ -167,7 +169,7 @@ def main(arguments: list[str]) -> None:
 
 
 def data(options: argparse.Namespace) -> None:
-    """Make what the folder lacks: the shards, and the real models' views if they are installed."""
+    """Create the files that the folder lacks: shards, and the real models' views if installed."""
     with disk_errors(options.out):
         options.out.mkdir(parents=True, exist_ok=True)
     models = options.out / MODEL_VIEWS
@@ -178,7 +180,7 @@ def data(options: argparse.Namespace) -> None:
     if models.exists():
         print(models, flush=True)
     elif not options.catalogue.exists():
-        print(f"No real models: {options.catalogue} is not there. {INSTALL}", file=sys.stderr)
+        print(f"No real models: {options.catalogue} does not exist. {INSTALL}", file=sys.stderr)
     workers, nouns = options.workers, options.nouns
     for path in write_shards(options.out, range(options.shards), workers, nouns):
         print(path, flush=True)
@@ -193,7 +195,7 @@ def train(options: argparse.Namespace) -> None:
     """Train one network."""
     if (options.anew or options.encoder) and options.network != SOLID:
         raise UserError(
-            f"--anew and --encoder are of solids, and this training is of {options.network}.",
+            f"--anew and --encoder are for solids, and this training is for {options.network}.",
             "Leave them out.",
         )
     if options.encoder:
@@ -233,17 +235,17 @@ def train(options: argparse.Namespace) -> None:
 
 
 def ship(options: argparse.Namespace) -> None:
-    """Copy both networks into the project, with the words that may be asked for."""
+    """Copy the trained networks into the project, with the words that a prompt may use."""
     missing = [word for word in options.without if all(word not in SLOTS[s] for s in SLOTS)]
     if missing:
         raise UserError(
             f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words/words.py."
         )
-    words = SLOTS | {"noun": NOUNS}  # not what is another thing's solid
+    words = SLOTS | {"noun": NOUNS}  # without nouns that have another noun's solid
     known = {s: [word for word in words[s] if word not in options.without] for s in words}
     for name in TRAININGS.keys() - {SOLID}:
         trained = options.out / f"{name}_ema.safetensors"
-        if not trained.exists():  # the others are replaced, this one stays
+        if not trained.exists():  # this network stays, the others are replaced
             continue
         path = WEIGHTS / f"{name}.safetensors"
         ship_weights(path, load_weights(trained), known)
@@ -281,7 +283,7 @@ def evaluate(options: argparse.Namespace) -> None:
 
 
 def forms(options: argparse.Namespace) -> None:
-    """Write the project's table; about 10 minutes of one core for all."""
+    """Write the project's table of part forms; about 10 minutes of one core for all nouns."""
     write_forms(nouns=options.nouns)
 
 

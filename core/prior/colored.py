@@ -1,7 +1,7 @@
 """Training pictures of the appearance network: the data's objects, painted and lit on the fly.
 
-The light and the shading are those of the renderer, so that the material which score distillation
-finds under them is the one that the words mean.
+The light and the shading are the renderer's, so that the material which score distillation finds
+under them is the one that the words mean.
 """
 
 import torch
@@ -21,9 +21,9 @@ from core.prior.paint import Caption, coat, paint
 NO_COLOR = 0.35  # fraction of captions without a colour
 NO_MATERIAL = 0.55
 NO_PATTERN = 0.55
-NO_SECOND = 0.35  # of those with a pattern
+NO_SECOND = 0.35  # of the captions with a pattern
 DENTS = 0.35  # the deepest, as the normal's offset
-NO_TARGET = 0.6  # of those without a pattern
+NO_TARGET = 0.6  # of the captions without a pattern
 CAPTION_SLOTS = ("color", "material", "pattern", "second", "target")
 
 
@@ -53,7 +53,7 @@ class Painter:
         return torch.stack(rows, 1) * torch.stack([*chosen, with_second, with_second], 1)
 
     def _targets(self, nouns: Tensor, chance: Tensor) -> Tensor:
-        """A random part's row of each noun; 0, which is none, where the noun is of one part."""
+        """The row of a random part for each noun; 0 (none) where the noun has one part."""
         rows = [self.parts[noun] for noun in nouns.tolist()]
         return torch.tensor([own[int(c * len(own))] for own, c in zip(rows, chance, strict=True)])
 
@@ -115,8 +115,8 @@ def lumpy(
 
 
 def blurred(parts: Float[Tensor, "n k s s"], generator: torch.Generator) -> Tensor:
-    """Half of the pictures with the borders between parts two pixels wide or more: of a trained
-    shape they are not known exactly."""
+    """Part maps, in half of which the borders between parts are two pixels wide or more: a trained
+    shape's borders are not known exactly."""
     inside = parts.sum(1, keepdim=True)
     soft = parts
     for _ in range(2):

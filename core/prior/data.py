@@ -28,25 +28,25 @@ from core.prior.tracer import Pictures, render
 SHARDS = "shard_*.safetensors"
 MODEL_VIEWS = "models.safetensors"  # views of the real models, see ``core.prior.models``
 SIZE = 64
-VIEWS = 4  # of one object
-OBJECTS = 256  # of one shard
+VIEWS = 4  # views of one object
+OBJECTS = 256  # objects in one shard
 CAMERAS = CameraConfig(distance=(2.9, 3.1), elevation_deg=(-60.0, 78.0))  # bottoms too
 
 NOUNS = ORDER
 ADJECTIVES = ["", *STRETCH]
 PART_STATES = ["", *PARTS]
-# The symmetric ones are soon learnt; what has legs, handles and holes needs the pictures.
+# Symmetric objects are soon learnt; objects with legs, handles and holes need more pictures.
 NOUN_WEIGHTS = dict.fromkeys(
     ("ball", "cube", "cylinder", "cone", "bottle", "tree", "bowling pin"), 0.5
 )
 NOUN_WEIGHTS |= dict.fromkeys(("chair", "mug", "table", "stool", "bench", "house", "bucket"), 1.6)
-NO_ADJECTIVE = 0.75  # fraction of objects that no adjective describes
-NO_PART_STATE = 0.4  # fraction of objects with options of which the caption states none
+NO_ADJECTIVE = 0.75  # fraction of objects without an adjective
+NO_PART_STATE = 0.4  # fraction of objects with options whose caption states none
 
 
 @dataclass(frozen=True)
 class Samples:
-    """Views with what they show; 8-bit, see ``pictures``."""
+    """Views and their contents; 8-bit, see ``pictures``."""
 
     normal: Tensor  # (N, 3, s, s) int8, × 127
     coverage: Tensor  # (N, 1, s, s) uint8, × 255
@@ -92,13 +92,13 @@ class Samples:
         return torch.cat([normal, self.coverage[index].float() * (2 / 255) - 1], 1)
 
     def part_maps(self, index: "Tensor | slice", count: int) -> Tensor:
-        """1 where a pixel is of a part, else 0 (N, count, s, s)."""
+        """1 where a pixel belongs to a part, else 0 (N, count, s, s)."""
         part = self.part[index].long()
         one = torch.nn.functional.one_hot(part.clamp_min(0), count) * (part >= 0)[..., None]
         return one.permute(0, 3, 1, 2).float()
 
     def points(self, index: "Tensor | slice" = slice(None)) -> Tensor:
-        """What is seen, in object space, weighted by coverage (N, 3, s, s)."""
+        """The visible points in object space, weighted by coverage (N, 3, s, s)."""
         return self.point[index].float() / 120 * (self.coverage[index].float() / 255)
 
 
@@ -129,7 +129,7 @@ def _views(noun: int, adjective: int, part_state: int, draw: Draw) -> Samples:
 def write_shard(
     folder: Path, number: int, objects: int = OBJECTS, nouns: Sequence[str] = NOUNS
 ) -> Path:
-    """Make shard ``number`` (it is also the seed) of ``nouns`` unless the folder has it."""
+    """Write shard ``number`` (also the seed) of ``nouns`` unless the folder has it."""
     path = folder / f"shard_{number:05d}.safetensors"
     if not path.exists():
         write_samples(path, make(number, objects, nouns))
@@ -137,7 +137,7 @@ def write_shard(
 
 
 def write_samples(path: Path, samples: Samples) -> None:
-    """One file of samples, whole or not at all."""
+    """Write one file of samples, by a temporary file and a rename."""
     with atomic_file(path) as temporary:
         save_file({name: tensor.contiguous() for name, tensor in vars(samples).items()}, temporary)
 
@@ -152,7 +152,8 @@ def _work(job: tuple[Path, int, Sequence[str]]) -> Path:
 def write_shards(
     folder: Path, numbers: range, workers: int, nouns: Sequence[str] = NOUNS
 ) -> Iterator[Path]:
-    """The shards ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    """The paths of the shards ``numbers`` in ``folder``, each when one of ``workers`` processes has
+    written it."""
     folder.mkdir(parents=True, exist_ok=True)
     # A fork would copy torch's thread pools in whatever state they are.
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
@@ -160,18 +161,18 @@ def write_shards(
 
 
 def read_shards(paths: list[Path]) -> Samples:
-    """Shards, joined."""
+    """The samples of several shards, joined."""
     return joined([samples_of(load_file(path)) for path in paths])
 
 
 def samples_of(tensors: dict[str, Tensor]) -> Samples:
     """The samples of a file's tensors."""
-    if "told" in tensors:  # what files of earlier versions call the state of the parts
+    if "told" in tensors:  # the name of the parts' state in files of earlier versions
         tensors["part_state"] = tensors.pop("told")
     return Samples(**tensors)
 
 
 def joined(parts: list[Samples]) -> Samples:
-    """All samples, in order."""
+    """The samples of all ``parts``, in order."""
     names = [field.name for field in fields(Samples)]
     return Samples(*(torch.cat([getattr(part, name) for part in parts]) for name in names))

@@ -6,9 +6,9 @@ from core.guidance.builtin.words.part_tables import LEGS
 
 
 class Draw:
-    """Random numbers for proportions, from one generator; ``part_state`` is of ``PARTS`` or "".
+    """Random numbers for proportions, from one generator; ``part_state`` is one of ``PARTS`` or "".
 
-    ``choices`` is what was drawn of few: what tells a family's objects apart at sight.
+    ``choices``: the outcomes that were drawn from a few; they distinguish a family's objects.
     """
 
     def __init__(
@@ -18,7 +18,7 @@ class Draw:
         self.choices: list[int] = []
 
     def formed(self, adjective: str) -> "Draw":
-        """The same draw for an object of this form; the choices are one list."""
+        """The same draw for an object with this adjective; both share one list of choices."""
         own = Draw(self.generator, self.part_state, adjective)
         own.choices = self.choices
         return own
@@ -36,19 +36,19 @@ class Draw:
         return self._chosen(int(self(0, count)))
 
     def arranged(self, count: int = 3) -> "Draw":
-        """One of ``count`` draws that are the same in every object, for an arrangement: where each
-        object has its own, as the tufts of a bush, what is learnt is the mean of all, a lump."""
+        """One of ``count`` draws that are the same in every object, for an arrangement such as the
+        tufts of a bush: if each object had its own, a network would learn their mean, a lump."""
         return Draw(torch.Generator().manual_seed(self.which(count)))
 
     def has(self, part: str, probability: float) -> bool:
-        """Whether the thing has ``part``: as the caption states, or by chance."""
+        """Whether the object has ``part``: as the caption states, or by chance."""
         # Drawn in any case: the draws that follow do not depend on the caption.
         by_chance = self(0, 1) < probability
         stated = self.part_state in (part, f"no {part}")
         return bool(self._chosen(self.part_state == part if stated else by_chance))
 
     def shaped(self, adjective: str, probability: float) -> bool:
-        """Whether the thing has this form: as the caption states, or by chance."""
+        """Whether the object has this form: as the caption states, or by chance."""
         by_chance = self(0, 1) < probability
         return bool(self._chosen(by_chance or self.adjective == adjective))
 

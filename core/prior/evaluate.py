@@ -1,13 +1,13 @@
-"""What the networks know, measured on fresh renders.
+"""Scores of the networks on fresh renders.
 
-Of the geometry: a diffusion classifier (Li et al., 2023) asks under which condition the network
+Geometry: a diffusion classifier (Li et al., 2023) finds the condition under which the network
 removes the noise best. Nouns are distinguished at the true camera. Azimuths are distinguished by a
 paired test: for each hypothesis the picture's normals, and the noise with them, are turned about
 the vertical so that they belong to the hypothesised camera. Without that turn the colours alone
 would give the camera away and even a ball would score full marks; with it a ball must score chance.
 
-Of the appearance: how far the mean picture that it sees in much noise is from the painted one, in
-the mean colour of a plain thing, and pixel by pixel on a patterned one.
+Appearance: the distance between the mean picture that the network predicts from much noise and the
+painted one, in the mean colour of a plain object, and pixel by pixel on a patterned one.
 """
 
 from collections.abc import Sequence
@@ -36,10 +36,10 @@ from core.prior.velocity import x_from_v
 
 TIMES = (300, 500, 650, 800, 900)
 SECTORS = 8
-SLOTS = 3  # of the geometry network: noun, shape, part
+SLOTS = 3  # the geometry network's words: noun, shape, part
 CHANCE = 1 / len(NOUNS)
 SCREENED = 8  # nouns that are left after the first time step
-# All others are turned solids, or look the same after a turn, or nearly so.
+# All other nouns are turned solids, or look the same or nearly the same after a turn.
 WITH_FRONT = frozenset(
     """chair armchair mug house snowman sofa bed bookshelf teapot pan bust flower pig fish rabbit
     turtle duck teddy-bear car bus truck airplane boat train cottage church hammer axe anvil guitar
@@ -49,7 +49,7 @@ WITH_FRONT = frozenset(
 
 @dataclass(frozen=True)
 class Score:
-    """Of one noun."""
+    """The geometry network's score for one noun."""
 
     noun: str
     views: int
@@ -77,7 +77,7 @@ def turn_normals(pictures: Tensor, angle: Tensor) -> Tensor:
 
 
 def error(net: UNet, x: Tensor, words: Tensor, cameras: Cameras, eps: Tensor, t: int) -> Tensor:
-    """Mean squared error (B,) of the noise that the network sees."""
+    """Mean squared error (B,) of the noise that the network predicts."""
     alpha_bar = alpha_bar_schedule()[torch.full((len(x),), t)]
     z_t = add_noise(x, eps, alpha_bar)
     half = has_fast_bfloat16(x.device)
@@ -87,7 +87,7 @@ def error(net: UNet, x: Tensor, words: Tensor, cameras: Cameras, eps: Tensor, t:
 
 
 def score_noun(net: UNet, noun: str, views: int, generator: torch.Generator) -> Score:
-    """``views`` fresh objects of the noun, one view each, stratified over the azimuth."""
+    """The score on ``views`` fresh objects, one view each, stratified over the azimuth."""
     draw = Draw(generator)
     index = NOUNS.index(noun)
     right = exact = near = 0
@@ -105,7 +105,8 @@ def score_noun(net: UNet, noun: str, views: int, generator: torch.Generator) -> 
 
 
 def _best_noun(net: UNet, x: Tensor, cameras: Cameras, generator: torch.Generator) -> int:
-    """The noun of the least error: the best few at one time step, the best of these at all."""
+    """The index of the noun with the least error: the best few at one time step, then the best of
+    these at all time steps."""
     left = torch.arange(len(NOUNS))
     total = torch.zeros(len(NOUNS))
     for i, t in enumerate(reversed(TIMES)):
@@ -136,10 +137,10 @@ def _best_turn(
 
 @dataclass(frozen=True)
 class PaintScore:
-    """Of one noun: CIE76 differences of the mean colour of the parts that a colour is about."""
+    """CIE76 differences, for one noun, of the mean colour of the parts that a colour word sets."""
 
     noun: str
-    delta_e: list[float]  # by view
+    delta_e: list[float]  # one a view
 
     def __str__(self) -> str:
         values = sorted(self.delta_e)
@@ -150,12 +151,12 @@ PAINT_TIME = 900
 
 
 def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) -> PaintScore:
-    """``views`` fresh objects of the noun, each with a colour in its caption, from a random side.
+    """The score on ``views`` fresh objects of the noun, with a colour word, from random sides.
 
-    The network is shown nearly nothing but noise, and predicts in one step what may be behind it.
+    The network gets nearly pure noise, and predicts the picture in one step.
     """
     samples = fresh(views, generator, (noun,))
-    index = torch.arange(0, len(samples), VIEWS)  # one of each object's
+    index = torch.arange(0, len(samples), VIEWS)  # one view of each object
     captions = Painter().words(samples.noun[index], generator)
     captions[:, 0] = torch.randint(1, 1 + len(COLOR_VALUES), (len(index),), generator=generator)
     captions[:, 2:] = 0  # no pattern
@@ -171,8 +172,8 @@ def score_paint(net: UNet, noun: str, views: int, generator: torch.Generator) ->
 
 
 def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generator) -> float:
-    """The median, over ``views`` fresh objects in two far colours, of the fraction of the painted
-    colours' variance that the mean picture explains; 1 is all, 0 an even colour."""
+    """The fraction of the painted colours' variance that the mean picture explains, 1 at best, 0
+    for an even colour: the median over ``views`` fresh objects in two very different colours."""
     samples = fresh(views, generator)
     index = torch.arange(0, len(samples), VIEWS)
     row = lambda slot, word: 1 + list(WORDS[slot]).index(word)  # noqa: E731
@@ -188,14 +189,15 @@ def score_pattern(net: UNet, pattern: str, views: int, generator: torch.Generato
 
 
 def fresh(objects: int, generator: torch.Generator, nouns: Sequence[str] = NOUNS) -> Samples:
-    """New objects, of a seed that ``generator`` draws."""
+    """Samples of new objects, from a seed that ``generator`` draws."""
     return make(int(torch.randint(2**40, (1,), generator=generator)), objects, nouns)
 
 
 def guessed(
     net: UNet, samples: Samples, index: Tensor, captions: Tensor, generator: torch.Generator
 ) -> tuple[Tensor, Tensor]:
-    """The painted pictures (N, 4, s, s) and what one step makes of nearly nothing but noise."""
+    """The painted pictures (N, 4, s, s), and the pictures predicted in one step from nearly pure
+    noise."""
     true = Painter().pictures(samples, index, captions, Draw(generator))
     words = torch.cat([samples.noun[index][:, None] + 1, captions], 1)
     surface = torch.cat([samples.pictures(index), samples.points(index)], 1)

@@ -1,4 +1,4 @@
-"""All families by noun, and what a shape adjective does to an object of theirs."""
+"""All families by noun, and objects of a family, with or without a shape adjective."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -53,7 +53,8 @@ FAMILIES: dict[str, Callable[[Draw], Parts]] = {
 
 
 def family(noun: str) -> Callable[[Draw], Parts]:
-    """The noun's; of what is another thing's solid that one's, its parts by the noun's names."""
+    """The noun's family; for a noun that has another noun's solid, that noun's family with the
+    parts renamed to the noun's own."""
     of = solid_of(noun)
     if of == noun:
         return FAMILIES[noun]
@@ -68,8 +69,8 @@ def build(
 ) -> Shape:
     """A random object of the noun's family, normalised (see ``normalised``).
 
-    ``adjective`` is a word of ``STRETCH`` or empty. ``jitter`` spreads the size about the norm.
-    ``wider``: factors along x, y and z that the object is stretched by besides.
+    ``adjective``: a word of ``STRETCH``, or empty. ``jitter``: the size's spread about the norm.
+    ``wider``: further stretch factors along x, y and z.
     """
     factors, swell = STRETCH.get(adjective, NOT_STRETCHED)
     parts = family(noun)(draw.formed(adjective))
@@ -98,8 +99,7 @@ def surface_points(
 ) -> Float[Tensor, "n 3"]:
     """Points on the surface, found on a lattice over x, y in ±reach/2, z in [-reach/2, reach].
 
-    First a lattice of half as many cells; where it comes near the surface each of its points
-    becomes eight.
+    The first lattice has half as many cells; near the surface each of its points becomes eight.
     """
     step = 2 * reach / cells
     side = torch.arange(-reach / 2, reach / 2, step) + step / 2
@@ -126,7 +126,7 @@ def gradient(
 def value_and_gradient(
     sdf: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"], step: float = 2e-3
 ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"]]:
-    """The SDF and its :func:`gradient`, asked together: a call costs as much as 10,000 points."""
+    """The SDF and its :func:`gradient` in one call: a call costs as much as 10,000 points."""
     values = sdf(torch.cat([points, _tapped(points, step)]))
     return values[: len(points)], _slope(values[len(points) :])
 

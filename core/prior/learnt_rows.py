@@ -1,4 +1,4 @@
-"""A table of which some rows learn."""
+"""An embedding table in which only some rows are trained."""
 
 import torch
 import torch.nn.functional as F
@@ -9,8 +9,10 @@ from core.errors import UserError
 
 
 class LearntRows(nn.Module):
-    """A table of which some rows learn and the others stay: of all nouns' features a step for the
-    few that learn would else move all, and take nearly twice as long."""
+    """An embedding table in which only the given rows are trained.
+
+    A step with the whole table as a parameter would move all rows and take nearly twice as long.
+    """
 
     weight: Tensor
     rows: Tensor
@@ -19,7 +21,8 @@ class LearntRows(nn.Module):
     def __init__(self, table: nn.Embedding, rows: Int[Tensor, " r"]) -> None:
         super().__init__()
         weight = table.weight.detach()
-        place = torch.full((len(weight),), len(rows) + 1)  # beyond: no other row may be asked for
+        # Beyond the end: no other row is available.
+        place = torch.full((len(weight),), len(rows) + 1)
         place[0] = 0  # "not stated", which all nouns share
         place[rows.cpu()] = 1 + torch.arange(len(rows))
         for name, tensor in (("weight", weight), ("rows", rows), ("place", place.to(rows.device))):
@@ -27,17 +30,17 @@ class LearntRows(nn.Module):
         self.learnt = nn.Parameter(weight[rows])
 
     def forward(self, index: Int[Tensor, " b"]) -> Float[Tensor, "b c"]:
-        """The rows.
+        """The rows at ``index``.
 
-        Raises UserError for one that does not learn, of samples that came later.
+        Raises UserError for a row that is not trained: samples of it were added later.
         """
         if bool((self.place[index] > len(self.rows)).any()):
             raise UserError(
-                "There are samples of a noun that this held training did not begin with.",
-                "Train it in a folder of its own.",
+                "There are samples of a noun that this held training did not start with.",
+                "Train that noun in a folder of its own.",
             )
         return F.embedding(self.place[index], torch.cat([self.weight[:1], self.learnt]))
 
     def whole(self, learnt: Float[Tensor, "r c"]) -> Float[Tensor, "v c"]:
-        """The table with such rows in the place of those that learn."""
+        """The whole table, with ``learnt`` in the place of the trained rows."""
         return self.weight.index_copy(0, self.rows, learnt)

@@ -1,6 +1,6 @@
-"""The usual size and mass of every thing that the built-in prior knows, as docs/sizes.md.
+"""The page docs/sizes.md: the usual size and mass of everything that the built-in prior knows.
 
-``python -m core.prior.masses`` writes the page.
+``python -m core.prior.masses`` writes it.
 """
 
 from pathlib import Path
@@ -27,10 +27,10 @@ data is in `core/guidance/builtin/nouns/` and, of such kinds, in `words/kind_siz
 
 
 def usual_mass(noun: str, side: int = 40) -> float:
-    """Kilograms of the prior's own solid at the thing's usual size."""
+    """The mass in kilograms of the prior's own solid at the noun's usual size."""
     axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
     cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
-    wider = known_wider(noun)  # or its walls would lie between the cells
+    wider = known_wider(noun)  # or its walls would be between the cells
     shape = build(noun, "", Draw(torch.Generator().manual_seed(1)), 0, wider)
     inside = cells[shape.sdf(cells) < 0]
     step, by = 2.1 / side, torch.tensor(wider)
@@ -40,7 +40,7 @@ def usual_mass(noun: str, side: int = 40) -> float:
 
 
 def cell(noun: str) -> str:
-    """A thing's cells of the table: its name, its size, its mass in two figures."""
+    """A noun's cells of the table: its name, its size, its mass in two figures."""
     return f"{noun} | {usual(noun)[0]:g} m | {_mass(usual_mass(noun))}"
 
 

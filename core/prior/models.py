@@ -1,7 +1,7 @@
 """Real models in the training set: the furniture catalogue that Debian packages.
 
 ``apt install sweethome3d-furniture`` puts ``CATALOGUE`` in place: 175 models under CC0 1.0, of
-which MODELS lists those that are one of the prior's nouns. The package's other catalogues are
+which ``MODELS`` lists the ones that show a noun of the prior. The package's other catalogues are
 under CC-BY and are not read. Nothing of it is copied into the project.
 
 A catalogue of Sweet Home 3D (``.sh3f``) is a zip of OBJ files, +Y up and looking along +Z, and a
@@ -33,12 +33,12 @@ from core.render.rasterizer import interpolate, rasterize, scatter
 CATALOGUE = Path("/usr/share/sweethome3d/furniture/BlendSwap-CC-0.sh3f")
 INSTALL = "Install it with: apt install sweethome3d-furniture"
 FACTS = "PluginFurnitureCatalog.properties"
-VIEWS = 12  # of one model: few, for their legs are finer than what 64² can hold
-SEED = 100_000  # beyond the shards' own
+VIEWS = 12  # views of one model: few, because their legs are finer than 64² can show
+SEED = 100_000  # beyond the shards' seeds
 JITTER = 0.06  # of the size, as in the families
 
-# The catalogue's models by their names in its ids. Not here is what has the name and not the look:
-# a desk that is a whole workplace, stools with backs, a folded chair, a chandelier.
+# The catalogue's models by their names in its ids, without models that have a noun's name but not
+# its look: a desk that is a whole workplace, stools with backs, a folded chair, a chandelier.
 MODELS = {
     "armchair": "armchair, armchair2, modernArmchair, winchesterArmchair",
     "bed": "bed1, bed2, bed3, bedWithTexture",
@@ -64,13 +64,13 @@ NOUN_OF = {model: noun for noun, models in MODELS.items() for model in models.sp
 def catalogue_models(path: Path) -> Iterator[tuple[str, Tensor, Tensor]]:
     """(noun, vertices, faces) of the catalogue's models that MODELS names, normalised, +Z up.
 
-    Raises UserError for a file that is no such catalogue.
+    Raises UserError for a file that is not such a catalogue.
     """
     try:
         archive = zipfile.ZipFile(path)
         facts = _facts(archive.read(FACTS).decode("latin-1"))
     except (OSError, KeyError, zipfile.BadZipFile) as error:
-        raise UserError(f"{path} is no furniture catalogue: {error}.", INSTALL) from error
+        raise UserError(f"{path} is not a furniture catalogue: {error}.", INSTALL) from error
     with archive, tempfile.TemporaryDirectory() as folder:
         for fact in facts:
             noun = NOUN_OF.get(fact["id"].rpartition("#")[2])
@@ -80,7 +80,7 @@ def catalogue_models(path: Path) -> Iterator[tuple[str, Tensor, Tensor]]:
 
 
 def _facts(text: str) -> list[dict[str, str]]:
-    """The facts of each model, by the numbers behind the keys."""
+    """The facts of each model, in the order of the numbers after the keys."""
     facts: dict[int, dict[str, str]] = {}
     for key, number, value in re.findall(r"^(\w+)#(\d+)=(.*?)\s*$", text, re.MULTILINE):
         facts.setdefault(int(number), {})[key] = value
@@ -90,8 +90,8 @@ def _facts(text: str) -> list[dict[str, str]]:
 def make_models(
     path: Path, views: int = VIEWS, seed: int = SEED, nouns: Sequence[str] = NOUNS
 ) -> Samples | None:
-    """``views`` views of each model of ``nouns`` in the catalogue, None of none; all that is seen
-    is part 0."""
+    """``views`` views of each model of ``nouns`` in the catalogue, or None if it has none; all
+    visible pixels are part 0."""
     draw = Draw(torch.Generator().manual_seed(seed))
     rows = []
     for noun, verts, faces in catalogue_models(path):
@@ -112,8 +112,8 @@ def render_mesh(
 ) -> Pictures:
     """A mesh's pictures as :func:`core.prior.tracer.render` makes a family's.
 
-    The mesh may be open and its faces may be wound either way: each is seen from both sides, with
-    its normal turned to the camera.
+    The mesh may be open and its faces may be wound either way: each is visible from both sides,
+    with its normal turned to the camera.
     """
     flat = normalize(face_normals(verts, faces), eps=1e-30)
     fragments = rasterize(verts, faces, cameras.mvp, size * samples, size * samples, cull=False)

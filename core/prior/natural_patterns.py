@@ -1,7 +1,7 @@
-"""What a material word, or nature, makes of a colour: the training pictures show it.
+"""Patterns of materials and of nature in one colour, for the training pictures.
 
-As the patterns of two colours (``core.guidance.builtin.patterns``), in the object's space or on its
-normals; lengths are in training units.
+Like the patterns of two colours (``core.guidance.builtin.patterns``) they are in the object's space
+or on its normals; lengths are in training units.
 """
 
 import torch

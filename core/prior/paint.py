@@ -1,4 +1,4 @@
-"""Paint for the families' objects: their parts' colours by nature, and what a caption changes."""
+"""Paint for the families' objects: their parts' natural colours, changed by a caption."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -18,10 +18,10 @@ JITTER = 0.06  # spread of a colour's channels between objects, and of its brigh
 
 
 class Coat(NamedTuple):
-    """Paint of K parts."""
+    """The paint of K parts."""
 
     color: Float[Tensor, "k 3"]  # sRGB
-    second: Float[Tensor, "k 3"]  # sRGB, what the pattern is drawn with
+    second: Float[Tensor, "k 3"]  # sRGB, the pattern's colour
     roughness: Float[Tensor, "k 1"]
     metallic: Float[Tensor, "k 1"]
     pattern: Int[Tensor, " k"]  # index into ALL_PATTERNS; -1 is none
@@ -35,7 +35,7 @@ class Caption:
     material: str = ""
     pattern: str = ""
     second: str = ""
-    target: str = ""  # the part that the second colour is for
+    target: str = ""  # the part that has the second colour
     accents: tuple[Accent, ...] = ()
     color_form: str = ""
     second_form: str = ""
@@ -46,7 +46,7 @@ class Caption:
 
 def coat(noun: str, caption: Caption, draw: Draw) -> Coat:
     """The paint of one object with this caption."""
-    # One for the whole object: its parts keep their contrast.
+    # One tint for the whole object: its parts keep their contrast.
     shift = 1 + draw(-JITTER, JITTER)
     tint = torch.tensor([1 + draw(-JITTER, JITTER) / 2 for _ in range(3)]) * shift
     gloss = draw(-0.05, 0.05)

@@ -1,5 +1,5 @@
-"""How much of each part's surface is flat, how much the same all around, how small its pieces are,
-by the families."""
+"""Forms of the families' parts: how much of each part's surface is flat, how much is the same all
+around an axis, and how small its components are."""
 
 import json
 import math
@@ -24,22 +24,23 @@ from core.prior.data import NOUNS
 from core.prior.draw import Draw
 from core.prior.families import Shape, build, gradient, surface_points
 
-OBJECTS, FEW_OBJECTS = 6, 3  # of a noun
-POINTS = 3000  # of an object
+OBJECTS, FEW_OBJECTS = 6, 3  # objects of a noun
+POINTS = 3000  # points on an object
 STEPS = (0.04, 0.12)  # training units between the places whose normals are compared
-FLAT_DEG = 2.5  # between them at the first
-CURVED_DEG = (3.0, 25.0)  # at the second; more is an edge
+FLAT_DEG = 2.5  # between normals at the first step
+CURVED_DEG = (3.0, 25.0)  # between normals at the second step; more is an edge
 TURNS_DEG = (37.0, 101.0, 164.0, 229.0, 311.0)
-ON = 0.012  # training units off a surface that is still on it
-CELL = 2 * EXTENT / 64  # training units, of the lattice that objects are drawn on
-APART = 0.07  # training units between the nearest surface points of two pieces of a part
+ON = 0.012  # training units: the distance within which a point is on a surface
+CELL = 2 * EXTENT / 64  # training units, in the lattice that objects are drawn on
+APART = 0.07  # training units between the nearest surface points of two components of a part
 SEED = 9_000_000
 
 
 def part_forms(noun: str, objects: int = OBJECTS) -> Float[Tensor, "4 p"]:
-    """Fractions of the surface of each of the noun's parts; 0 of a part never seen.
+    """Fractions of the surface of each of the noun's parts; 0 for a part never seen.
 
-    What is flat, and what is the same all around an axis of its piece along x, along y, along z.
+    First the flat fraction, then the fractions that are the same all around an axis of their
+    component along x, along y and along z.
     """
     draw = Draw(torch.Generator().manual_seed(SEED + NOUNS.index(noun)))
     found, seen = torch.zeros(4, PARTS), torch.zeros(PARTS)
@@ -80,16 +81,16 @@ def is_round(
 def axes_of(
     shape: Shape, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]
 ) -> Float[Tensor, "3 n 3"]:
-    """A point on each axis, along x, y and z, of the piece of its part that a point is on."""
+    """For each point, a point on each axis (along x, y and z) of its part's component there."""
     found = torch.zeros(3, len(points), 3)
     for k in part.unique().tolist():
         solid = partial(_distance_to, shape, k)
-        own, tree, piece = pieces_of(shape, k)
+        own, tree, component = components_of(shape, k)
         normal = gradient(solid, own)
         mine = torch.nonzero(part == k)[:, 0]
-        of = piece[tree.query(points[mine].numpy())[1]]
+        of = component[tree.query(points[mine].numpy())[1]]
         for each in np.unique(of):
-            some = piece == each
+            some = component == each
             for along in range(3):
                 aside = [(along + 1) % 3, (along + 2) % 3]
                 turned = [*aside, along]
@@ -100,8 +101,8 @@ def axes_of(
     return found
 
 
-def pieces_of(shape: Shape, part: int) -> tuple[Tensor, KDTree, Int[np.ndarray, " n"]]:
-    """Points of a part's surface, as a tree too, and the piece that each is of."""
+def components_of(shape: Shape, part: int) -> tuple[Tensor, KDTree, Int[np.ndarray, " n"]]:
+    """Points of a part's surface, a tree of them, and the component that each belongs to."""
     own = surface_points(partial(_distance_to, shape, part), 2 * EXTENT / 1.5)
     tree = KDTree(own.numpy())
     pairs = tree.query_pairs(APART, output_type="ndarray")
@@ -109,15 +110,15 @@ def pieces_of(shape: Shape, part: int) -> tuple[Tensor, KDTree, Int[np.ndarray, 
     return own, tree, connected_components(graph, directed=False)[1]
 
 
-def least_pieces(noun: str, objects: int = FEW_OBJECTS) -> list[float]:
-    """Of each of the noun's parts the area of its least piece, as a fraction of its largest one's;
-    0 of a part never seen."""
+def least_components(noun: str, objects: int = FEW_OBJECTS) -> list[float]:
+    """For each of the noun's parts the area of its least component, as a fraction of its largest
+    component's; 0 for a part never seen."""
     draw = Draw(torch.Generator().manual_seed(SEED + NOUNS.index(noun)))
     found = np.full(PARTS, np.inf)
     for _ in range(objects):
         shape = build(noun, "", draw)
         for part in range(shape.distances(torch.zeros(1, 3)).shape[1]):
-            counts = np.bincount(pieces_of(shape, part)[2])
+            counts = np.bincount(components_of(shape, part)[2])
             if len(counts):
                 found[part] = min(found[part], counts.min() / counts.max())
     return np.where(np.isfinite(found), found, 0.0).round(3).tolist()
@@ -128,8 +129,8 @@ def _distance_to(shape: Shape, part: int, points: Float[Tensor, "n 3"]) -> Float
 
 
 def is_flat(shape: Shape, points: Float[Tensor, "n 3"]) -> Bool[Tensor, " n"]:
-    """Whether the normal stays along half of four ways from each point, and curves along no more
-    than one: an edge turns it at once, a ball or a cylinder by and by."""
+    """Whether the normal is constant along at least two of four directions from each point, and
+    curves along at most one: an edge turns it at once, a ball or a cylinder little by little."""
     normal = gradient(shape.sdf, points)
     aside = torch.eye(3)[normal.abs().argmin(1)]
     u = torch.nn.functional.normalize(torch.linalg.cross(normal, aside), dim=1)
@@ -159,10 +160,10 @@ def _surface(shape: Shape, generator: torch.Generator) -> Float[Tensor, "n 3"]:
 
 
 def write_forms(path: Path = TABLE, nouns: Sequence[str] = NOUNS) -> None:
-    """Ask ``nouns``; the table keeps what it says of the others."""
+    """Measure ``nouns`` and write the table; it keeps the entries of the other nouns."""
     table = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     for noun in nouns:
         flat, *around = ([round(x, 2) for x in row] for row in part_forms(noun).tolist())
-        table[noun] = {"flat": flat, "round": around, "least": least_pieces(noun)}
+        table[noun] = {"flat": flat, "round": around, "least": least_components(noun)}
     lines = [f"{json.dumps(noun)}: {json.dumps(table[noun])}" for noun in NOUNS if noun in table]
     write_text(path, "{\n" + ",\n".join(lines) + "\n}\n")

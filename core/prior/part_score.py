@@ -10,11 +10,11 @@ from core.guidance.builtin.part_map import part_map
 from core.prior.data import SIZE, Samples, make
 from core.prior.soften import soft_pictures
 
-STRENGTH = 0.6  # of the softening, of 1
+STRENGTH = 0.6  # strength of the softening; 1 is the most
 
 
 class PartScore(NamedTuple):
-    """Fractions of the wholly covered pixels whose part is right."""
+    """Fractions of the wholly covered pixels whose part is right, for one noun."""
 
     noun: str
     exact: float
@@ -25,7 +25,7 @@ class PartScore(NamedTuple):
 
 
 def score_parts(net: UNet, noun: str, objects: int, seed: int) -> PartScore:
-    """Of ``objects`` fresh objects of the noun."""
+    """The score on ``objects`` fresh objects of the noun."""
     samples = make(seed, objects, (noun,))
     pictures = samples.pictures()
     strength = torch.full((len(pictures),), STRENGTH)

@@ -19,7 +19,7 @@ EXACT = 0.3  # fraction of the pictures that are not softened
 
 
 class PartMaps(Source):
-    """Batches of surfaces, softened as a training leaves them, with the noun and each pixel's part;
+    """Batches of surfaces, softened like those of a training, with the noun and each pixel's part;
     -1 is background."""
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
@@ -35,7 +35,7 @@ class PartMaps(Source):
 
 
 def part_loss(training: Training, batch: Batch) -> Tensor:
-    """The mean cross-entropy over the object's pixels, in which small parts count for more."""
+    """The mean cross-entropy over the object's pixels; small parts have larger weights."""
     surface, words, camera, parts = batch
     assert parts is not None
     weights = pixel_weights(parts)
@@ -48,9 +48,9 @@ def part_loss(training: Training, batch: Batch) -> Tensor:
 
 
 def pixel_weights(parts: Int[Tensor, "b s s"]) -> Float[Tensor, "b s s"]:
-    """1 / sqrt of the number of pixels that the picture has of the same part; 0 outside.
+    """1 / sqrt of the number of the picture's pixels with the same part; 0 outside.
 
-    With equal weights the eyes of a robot were lost in its head.
+    With equal weights a robot's eyes were lost in its head.
     """
     one = one_hot(parts + 1, PARTS + 1)
     counts = one.sum((1, 2), keepdim=True).clamp_min(1)

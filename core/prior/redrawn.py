@@ -1,4 +1,4 @@
-"""Solids as the solids' network has them: what a draft's geometry starts from, and its faults."""
+"""Solids as the solids' network draws them, with its errors: a draft's geometry starts there."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,7 +18,7 @@ from core.prior.solid_data import volume_of
 from core.prior.solid_kinds import kinds_of, nearest_kind
 from core.prior.solid_training import Autoencoder
 
-WEIGHTS = "solid_ema.safetensors"  # of the training, with the encoder
+WEIGHTS = "solid_ema.safetensors"  # the training's file, with the encoder
 CHUNK = 1 << 16  # points at a time
 
 
@@ -31,7 +31,7 @@ class Redrawing:
 
     @classmethod
     def of(cls, folder: Path) -> "Redrawing | None":
-        """That of a training folder; None if nothing has been trained there."""
+        """The autoencoder of a training folder; None if nothing has been trained there."""
         path = folder / WEIGHTS
         if not path.exists():
             return None
@@ -41,9 +41,9 @@ class Redrawing:
         return cls(net.eval().requires_grad_(False), kinds_of(folder).middles)
 
     def shape(self, shape: Shape, noun: int, cells: int) -> LatticeShape:
-        """The solid as it comes back, on a lattice of ``cells`` along an edge; ``noun``: its place
-        in ``core.prior.data.NOUNS``."""
-        # A slender thing is known wider than it is, so that the network's own points are others.
+        """The solid encoded and drawn again, on a lattice of ``cells`` along an edge; ``noun``: its
+        index in ``core.prior.data.NOUNS``."""
+        # A slender object is known wider than it is: the network's points differ from its own.
         wider = known_wider(NOUNS[noun])
         drawn = shape if wider == AS_IT_IS else normalised(shape.parts, wider)
         by = torch.tensor(drawn.scale) / torch.tensor(shape.scale)

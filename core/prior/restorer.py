@@ -1,6 +1,6 @@
 """Training of the restorer: soft renders in, crisp ones out (``core.guidance.builtin.restore``).
 
-Part of each batch is exact and must come back unchanged: what refines must first do no harm.
+Part of each batch is exact and must come back unchanged: a refinement must not damage it.
 """
 
 from dataclasses import replace
@@ -24,7 +24,7 @@ RESTORING = TrainConfig(
 )
 EXACT = 0.2  # fraction of the pictures softened on the fly that are left exact
 FROM_SOLIDS = 0.4  # fraction of a batch from soft solids, where the folder has any
-KNEE = 0.02  # errors above it count linearly: their median keeps planes flat, a mean rounds edges
+KNEE = 0.02  # errors above it count linearly: a median keeps planes flat, a mean rounds edges
 
 
 def restoring_loss(training: Training, batch: Batch) -> Tensor:
@@ -46,16 +46,18 @@ def restoring_loss(training: Training, batch: Batch) -> Tensor:
 
 
 class Restoring(Geometry):
-    """Batches of geometry pictures, with the renders of soft solids in the place of the surface:
-    they belong to the last of the pictures, the others are to be softened. Half of each batch are
-    close-ups, once there are any."""
+    """Batches of geometry pictures, with the renders of soft solids in the place of the surface.
+
+    These renders belong to the last pictures; the others are to be softened. Half of each batch are
+    close-ups, if the folder has any.
+    """
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)
         self._read_pairs()
 
     def rescan(self) -> None:
-        """Read the shards and the pairs that have come."""
+        """Read the new shards and pairs."""
         super().rescan()
         self._read_pairs()
 
@@ -63,12 +65,12 @@ class Restoring(Geometry):
         self.pairs, self.close = (pairs_of(self.folder, name) for name in (PAIRS, CLOSE_PAIRS))
 
     def batch(self, count: int, generator: torch.Generator) -> Batch:
-        """Pictures, words, camera maps, soft pictures of the last ones."""
+        """Pictures, words, camera maps, and the soft pictures of the last ones."""
         close = count // 2 if self.close else 0
         whole = count - close
         solids = round(whole * FROM_SOLIDS) if self.pairs else 0
         drawn, words, camera, _ = super().batch(whole - solids, generator)
-        # The close-ups' own softness for half of them, for the others one of the pictures alone.
+        # Half of the close-ups have their solids' softness, the others are softened as pictures.
         rows = [(drawn, words, camera, drawn[:0])]
         rows += [(*some(self.close, close // 2, generator)[:3], drawn[:0])] if self.close else []
         rows += [some(self.pairs, solids, generator)] if self.pairs else []
@@ -78,7 +80,7 @@ class Restoring(Geometry):
 
 
 def pairs_of(folder: Path, name: str) -> Pairs | None:
-    """What the folder has of the files ``name``, a pattern."""
+    """The pairs in the folder's files that match the pattern ``name``; None if there are none."""
     paths = sorted(folder.glob(name))
     return read_pairs(paths) if paths else None
 
@@ -86,7 +88,7 @@ def pairs_of(folder: Path, name: str) -> Pairs | None:
 def some(
     pairs: Pairs, count: int, generator: torch.Generator
 ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """``count`` random ones: pictures, words, camera maps, soft pictures."""
+    """``count`` random pairs: pictures, words, camera maps, soft pictures."""
     s, index = pairs.samples, torch.randint(len(pairs), (count,), generator=generator)
     words = torch.stack([s.noun[index] + 1, s.adjective[index], s.part_state[index]], 1)
     camera = camera_map(s.cameras(index), SIZE // BLOCK)

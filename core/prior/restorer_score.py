@@ -1,4 +1,4 @@
-"""What the restorer gains and what it harms, on fresh objects softened as a fit does."""
+"""The restorer's gain on fresh objects softened as by a fit, and its damage to exact ones."""
 
 from dataclasses import dataclass
 
@@ -17,12 +17,12 @@ COVERED = 0.95  # coverage of the pixels that are compared
 
 @dataclass(frozen=True)
 class RestoreScore:
-    """Of one noun: mean angles to the true normals, in degrees."""
+    """Mean angles to the true normals for one noun, in degrees."""
 
     noun: str
     soft: float  # of the softened renders
-    restored: float  # of these restored
-    exact: float  # of the exact renders restored: what the network itself adds
+    restored: float  # of the softened renders after restoring
+    exact: float  # of the exact renders after restoring: the network's own error
 
     def __str__(self) -> str:
         ratio = self.restored / self.soft
@@ -33,7 +33,7 @@ class RestoreScore:
 
 
 def mean_angle(pictures: Float[Tensor, "b 4 s s"], true: Float[Tensor, "b 4 s s"]) -> float:
-    """Between the normals of both, degrees, over the pixels that the true picture covers."""
+    """The mean angle between the normals of both, degrees, over the pixels that ``true`` covers."""
     covered = true[:, 3] > 2 * COVERED - 1
     a, b = (normalize(x[:, :3], dim=1, eps=1e-4) for x in (pictures, true))
     cosine = (a * b).sum(1)[covered].clamp(-1, 1)
@@ -44,7 +44,7 @@ def mean_angle(pictures: Float[Tensor, "b 4 s s"], true: Float[Tensor, "b 4 s s"
 def score_restoring(
     net: UNet, noun: str, views: int, seed: int, *, close: bool = False
 ) -> RestoreScore:
-    """Of ``views`` views, or close-ups, of fresh objects; the same seed is the same objects."""
+    """The score on ``views`` views, or close-ups, of the fresh objects of ``seed``."""
     pairs = make_pairs(seed, -(-views // VIEWS), (noun,), close=close)
     s, soft = pairs.samples, pairs.soft_pictures()
     words = torch.stack([s.noun + 1, s.adjective, s.part_state], 1)

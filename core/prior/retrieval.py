@@ -1,8 +1,8 @@
 """Which noun a mesh looks like: Chamfer distance to held-out shapes of all nouns.
 
-The distance is the mean over both clouds of the way to the other's nearest point (Fan et al.,
-2017, without the squares), the least over rotations about the vertical: a mesh that stands turned
-is still that thing.
+The distance is the mean over both clouds of the distance to the other's nearest point (Fan et al.,
+2017, without the squares), the least over rotations about the vertical: a turned mesh still shows
+the same noun.
 """
 
 import hashlib
@@ -23,17 +23,17 @@ from core.prior.families import build, surface_points
 
 POINTS = 384
 TURNS = 24
-SCREEN_POINTS = 96  # of each cloud, to tell which nouns are far
+SCREEN_POINTS = 96  # points of each cloud, to find which nouns are far
 NEAR = 24  # nouns that all points are compared with
 REFERENCES = 4  # held-out shapes of each noun
-SEED = 2_000_000  # beyond those of the data and of ``evaluate``
-KEPT = Path("out/bench_prior/references.safetensors")  # made in minutes, read in no time
+SEED = 2_000_000  # beyond the seeds of the data and of ``evaluate``
+KEPT = Path("out/bench_prior/references.safetensors")  # takes minutes to make
 
 Cloud = Float[Tensor, "n 3"]
 
 
 def reference_clouds(nouns: list[str], count: int = REFERENCES) -> dict[str, list[Cloud]]:
-    """Points of ``count`` objects of each noun, as ``normalised`` leaves them."""
+    """Points of ``count`` objects of each noun, in the frame of ``normalised``."""
     clouds = {}
     for noun in nouns:
         draw = Draw(torch.Generator().manual_seed(SEED))
@@ -43,7 +43,7 @@ def reference_clouds(nouns: list[str], count: int = REFERENCES) -> dict[str, lis
 
 
 def kept_clouds(nouns: list[str], path: Path = KEPT) -> dict[str, list[Cloud]]:
-    """``reference_clouds``, from the file if the families are as they were when it was written."""
+    """``reference_clouds``, from the file if the families have not changed since it was written."""
     state = _state(nouns)
     if path.is_file():
         with safe_open(path, "pt") as kept:
@@ -57,7 +57,7 @@ def kept_clouds(nouns: list[str], path: Path = KEPT) -> dict[str, list[Cloud]]:
 
 
 def _state(nouns: list[str]) -> str:
-    """Of all that decides what the clouds are: the nouns, and what their families are made by."""
+    """A hash of everything that determines the clouds: the nouns, and the families' modules."""
     found = hashlib.sha256("\n".join(nouns).encode())
     modules = [Path(str(module.__file__)) for module in (draw, families, solids, stretch)]
     for file in [Path(__file__), *modules, *sorted(Path(things.__path__[0]).rglob("*.py"))]:
@@ -103,13 +103,13 @@ def chamfer(a: Float[Tensor, "*t n 3"], b: Float[Tensor, "m 3"]) -> Float[Tensor
 def ranking(cloud: Cloud, references: dict[str, list[Cloud]]) -> list[tuple[str, float]]:
     """The nouns with their least distances, nearest first.
 
-    A quarter of the points, a sixteenth of the work, tells which ``NEAR`` nouns are the nearest;
-    these are ordered by all points, and the others behind them by what has been told.
+    A quarter of the points, a sixteenth of the work, finds the ``NEAR`` nearest nouns; these are
+    ordered by all points, and the others follow in the order by the quarter.
     """
     few = {noun: [one[:SCREEN_POINTS] for one in clouds] for noun, clouds in references.items()}
-    told = _by_distance(cloud[:SCREEN_POINTS], few)
-    near = {noun: references[noun] for noun, _ in told[:NEAR]}
-    return _by_distance(cloud, near) + told[NEAR:]
+    coarse = _by_distance(cloud[:SCREEN_POINTS], few)
+    near = {noun: references[noun] for noun, _ in coarse[:NEAR]}
+    return _by_distance(cloud, near) + coarse[NEAR:]
 
 
 def _by_distance(cloud: Cloud, references: dict[str, list[Cloud]]) -> list[tuple[str, float]]:

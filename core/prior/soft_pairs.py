@@ -22,9 +22,9 @@ from core.prior.tracer import Pictures, render
 
 PAIRS = "pairs_*.safetensors"
 CLOSE_PAIRS = "close_*.safetensors"
-OBJECTS = 64  # of one file
+OBJECTS = 64  # objects in one file
 REDRAWN = 0.8  # fraction of the soft forms that the solids' network draws, once it is trained
-FINDER = 32  # side, pixels, of the pictures that tell where an object is
+FINDER = 32  # side, pixels, of the pictures that show where an object is
 FIRST_SEED = 500_000  # away from the shards' seeds and the evaluation's
 
 
@@ -39,12 +39,12 @@ class Pairs:
         return len(self.soft)
 
     def soft_pictures(self, index: "Tensor | slice" = slice(None)) -> Float[Tensor, "n 4 s s"]:
-        """[n * o, 2o - 1] of the softened."""
+        """The pictures [n * o, 2o - 1] of the softened solids."""
         return self.soft[index].float() / 127
 
 
 def as_picture(seen: Pictures) -> Float[Tensor, "b 4 s s"]:
-    """[n * o, 2o - 1]."""
+    """The geometry pictures [n * o, 2o - 1] of ``seen``."""
     return torch.cat([seen.normal, 2 * seen.coverage - 1], 1)
 
 
@@ -58,8 +58,8 @@ def make_pairs(
 ) -> Pairs:
     """``objects`` random objects of ``nouns``, and a soft form of each.
 
-    ``close``: close-ups, which show what is smaller than a pixel of the whole. ``redrawing``: most
-    of the soft forms are what the solids' network makes of the objects.
+    ``close``: close-ups, which show details smaller than a pixel of a whole view. ``redrawing``:
+    the solids' network draws most of the soft forms.
     """
     generator = torch.Generator().manual_seed(seed)
     draw = Draw(generator)
@@ -70,15 +70,15 @@ def make_pairs(
         # A close-up shows the lattice's facets too, whatever their size.
         cells = int(draw(CELLS, 1.5 * CELLS)) if close else CELLS
         if redrawing and draw.chance(REDRAWN):
-            melted = redrawing.shape(shape, kind, cells)
+            softened = redrawing.shape(shape, kind, cells)
         else:
-            melted = soft_shape(shape.sdf, draw_softness(draw), generator, cells)
+            softened = soft_shape(shape.sdf, draw_softness(draw), generator, cells)
         # The same cameras for both: a pair differs in softness alone.
         cameras = sample_cameras(VIEWS, CAMERAS, generator)
         if close:
-            cameras = aimed(cameras, render(melted, cameras, FINDER, 1).coverage[:, 0], generator)
+            cameras = aimed(cameras, render(softened, cameras, FINDER, 1).coverage[:, 0], generator)
         rows.append(Samples.of(render(shape, cameras, SIZE), cameras, kind))
-        soft.append((as_picture(render(melted, cameras, SIZE)) * 127).round().to(torch.int8))
+        soft.append((as_picture(render(softened, cameras, SIZE)) * 127).round().to(torch.int8))
     return Pairs(joined(rows), torch.cat(soft))
 
 
@@ -90,8 +90,10 @@ def write_pairs(
     *,
     close: bool = False,
 ) -> Path:
-    """Make the file ``number`` unless the folder has it; whole or not at all. Where the solids'
-    network is trained in the folder, it draws most of the soft forms."""
+    """Write the file ``number`` unless the folder has it, by a temporary file and a rename.
+
+    If the folder has a trained solids' network, it draws most of the soft forms.
+    """
     path = folder / (CLOSE_PAIRS if close else PAIRS).replace("*", f"{number:05d}")
     if not path.exists():
         redrawing = Redrawing.of(folder)
@@ -116,7 +118,8 @@ def write_pair_files(
     *,
     close: bool = False,
 ) -> Iterator[Path]:
-    """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    """The paths of the files ``numbers`` in ``folder``, each when one of ``workers`` processes has
+    written it."""
     if not numbers:
         return
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
@@ -124,9 +127,9 @@ def write_pair_files(
 
 
 def read_pairs(paths: list[Path]) -> Pairs:
-    """Files of pairs, joined."""
+    """The pairs of several files, joined."""
     parts = [load_file(path) for path in paths]
     soft = torch.cat([part.pop("soft") for part in parts])
-    for part in parts:  # no lens shift is one of 0
+    for part in parts:  # no lens shift is a shift of 0
         part["camera"] = pad(part["camera"], (0, 6 - part["camera"].shape[1]))
     return Pairs(joined([samples_of(part) for part in parts]), soft)

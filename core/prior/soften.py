@@ -1,10 +1,10 @@
-"""Softened renders: what the restoring network is trained to sharpen.
+"""Softened renders, which the restoring network is trained to sharpen.
 
 A fit leaves rounded edges, dented planes, shifted surfaces and lost thin parts. Two models of that
 error, both random and both pure functions of a generator:
 
-- ``soft_shape``: the solid itself on a lattice, blurred, dented and moved, so that all views of it
-  agree, as those of a fitted shape do.
+- ``soft_shape``: the solid itself on a lattice, blurred, dented and moved, so that all its views
+  agree, like the views of a fitted shape.
 - ``soft_pictures``: the picture blurred, warped and dented, silhouettes rounded. Cheap enough for
   every batch, so one rendered pair is seen in many forms.
 """
@@ -31,12 +31,12 @@ from core.prior.draw import Draw
 HALF = 1.06  # half the side of the lattice's cube, training units; objects reach to 1.0
 CELLS = 56  # along an edge: nodes 0.038 apart, a draft's fine lattice has 0.033
 CHUNK = 65536  # points in one evaluation of a solid
-SAFETY = 0.75  # of a step: dents and blur make the lattice's values steeper than a distance
+SAFETY = 0.75  # factor of a step: dents and blur make the lattice's values steeper than a distance
 
 
 @dataclass(frozen=True)
 class Softness:
-    """One draw of what a fit does to a solid; lengths in training units."""
+    """One random model of a fit's error on a solid; lengths in training units."""
 
     blur: float  # standard deviation; a plate thinner than 1.6 of it vanishes
     shift: float  # the surface moved inwards (above 0) or outwards (below)
@@ -45,8 +45,8 @@ class Softness:
 
 
 def draw_softness(draw: Draw) -> Softness:
-    """From nearly exact to what a draft's growing leaves: mean normal error 2 to 30 degrees."""
-    strength = draw(0, 1) ** 1.2  # mild ones are what the last rounds see
+    """From nearly exact to a draft's coarse geometry: mean normal error 2 to 30 degrees."""
+    strength = draw(0, 1) ** 1.2  # the last rounds have mild ones
     blur = 0.006 + 0.11 * strength * draw(0.3, 1)
     return Softness(
         blur=blur,
@@ -64,13 +64,13 @@ class LatticeShape:
     values: Float[Tensor, "1 1 z y x"]
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """Distance that is safe to march by, negative inside."""
+        """A distance that is safe for marching, negative inside."""
         at = (points / HALF)[None, None, None]
         sampled = grid_sample(self.values, at, align_corners=True, padding_mode="border")
         return SAFETY * sampled.view(-1)
 
     def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
-        """One part only."""
+        """Zeros: the solid has one part."""
         return torch.zeros(len(points), dtype=torch.long)
 
 
@@ -80,7 +80,7 @@ def soft_shape(
     generator: torch.Generator,
     cells: int = CELLS,
 ) -> LatticeShape:
-    """The solid of that ``sdf`` as a fit of that softness may have it."""
+    """The solid ``sdf`` with the errors of a fit of softness ``soft``."""
     # WARP: the solid read at displaced nodes; x runs fastest, as grid_sample has it
     side = torch.linspace(-HALF, HALF, cells + 1)
     points = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)[..., [2, 1, 0]]
@@ -90,7 +90,7 @@ def soft_shape(
     # BLUR: of the distances, which rounds edges and loses thin parts
     values = torch.cat([sdf(p) for p in points.view(-1, 3).split(CHUNK)])
     values = blur3(values.view(1, 1, *points.shape[:3]), soft.blur * cells / (2 * HALF))
-    # DENTS: at three scales; what is added to the distance moves the surface by as much
+    # DENTS: at three scales; a value added to the distance moves the surface by that value
     for nodes, slope in soft.dents:
         # A wave of length 4 node distances and slope s is s / k high.
         height = slope * (2 * HALF / nodes) * 4 / (2 * math.pi)
@@ -131,8 +131,8 @@ def gaussian(sigma: Float[Tensor, " b"], reach: int) -> Float[Tensor, "b k"]:
 def soft_pictures(
     pictures: Float[Tensor, "b 4 s s"], strength: Float[Tensor, " b"], generator: torch.Generator
 ) -> Float[Tensor, "b 4 s s"]:
-    """Pictures [n * o, 2o - 1] as drawn of a softer object; ``strength`` 0 changes nothing, 1 is
-    up to 3.5 pixels of blur, 1.6 pixels of warp, dents of 14 degrees and fatter silhouettes."""
+    """Pictures [n * o, 2o - 1] of a softer object; ``strength`` 0 changes nothing, 1 is up
+    to 3.5 pixels of blur, 1.6 pixels of warp, dents of 14 degrees and fatter silhouettes."""
     count, _, size, _ = pictures.shape
 
     def uniform(low: float, high: float) -> Tensor:
@@ -144,7 +144,7 @@ def soft_pictures(
 
     strength = strength.to(pictures)
     amount = strength[:, None, None, None]
-    # WARP: low-frequency shifts of the whole picture, of coverage and normals alike
+    # WARP: low-frequency shifts of the whole picture, of coverage and of normals
     nodes = int(torch.randint(4, 11, (1,), generator=generator))
     away = noise(2, nodes)
     away = away * (strength * uniform(0.1, 1.6) * 2 / size)[:, None, None, None]

@@ -1,7 +1,7 @@
-"""Solids of the families as numbers: a coarse volume of distances, and points with their parts'.
+"""Solids of the families as numbers: a coarse volume of distances, and points with each part's.
 
-The volume is what the encoder reads, the points what the decoder is asked for. A file holds two
-objects of each noun, and takes half a minute of one core.
+The encoder reads the volume, the decoder is trained at the points. A file contains two objects of
+each noun, and takes half a minute of one core.
 """
 
 import math
@@ -28,9 +28,9 @@ from core.prior.families import Shape, build, gradient
 
 SOLIDS = "solids_*.safetensors"
 SIDE = 32  # cells along an edge of the volume
-REACH = 0.2  # training units: greater distances are of no interest, and count as this
+REACH = 0.2  # training units: greater distances are clamped to this
 ON, NEAR, ANYWHERE = 1536, 1536, 1024  # points of one object: at its surface, about it, in the cube
-SPREAD = 0.02  # of those at the surface
+SPREAD = 0.02  # of the points at the surface
 BAND = (0.07, 0.12)  # distance of the cells that points about the surface are drawn from; if few
 FEW = 50  # cells
 FORMED = 0.3  # fraction of a noun's objects that have the form of an adjective, if it has one
@@ -42,21 +42,21 @@ FIRST_SEED = 7_000_000  # away from the shards' seeds and the evaluation's
 
 @dataclass(frozen=True)
 class Solids:
-    """Objects; 8 and 16 bit."""
+    """Objects, in 8 and 16 bit."""
 
     grid: Tensor  # (N, 32, 32, 32) int8, distance / REACH × 127, axes x, y, z
     points: Tensor  # (N, p, 3) int16, place / EXTENT × 32767
-    distances: Tensor  # (N, p, PARTS) float16, of each part, within ±REACH; REACH of none
+    distances: Tensor  # (N, p, PARTS) float16, of each part, within ±REACH; REACH for no part
     words: (
         Tensor  # (N, 3) int16: noun, adjective, state of the parts; indices of ``core.prior.data``
     )
-    choices: Tensor  # (N,) int64: of what the families choose by chance, a number for each outcome
+    choices: Tensor  # (N,) int64: a number for each outcome of the families' random choices
 
     def __len__(self) -> int:
         return len(self.words)
 
     def rows(self) -> Int[Tensor, "n 3"]:
-        """The words as the networks take them."""
+        """The words as rows of the networks' tables."""
         # Every object has a noun, so its row 0 is free for "not stated".
         return self.words.long() + torch.tensor([1, 0, 0])
 
@@ -95,18 +95,21 @@ def _object(noun: int, draw: Draw) -> Solids:
 
 
 def volume_of(shape: Shape) -> Int[Tensor, "32 32 32"]:
-    """Distances at the middles of the volume's cells, as ``Solids.grid`` has them."""
+    """Distances at the middles of the volume's cells, in the format of ``Solids.grid``."""
     return in_bytes(distances_of(shape, cells()).amin(1)).view((SIDE,) * 3)
 
 
 def in_bytes(distance: Float[Tensor, "*n"]) -> Int[Tensor, "*n"]:
-    """Distances in training units as ``Solids.grid`` has them."""
+    """Distances in training units, converted to the format of ``Solids.grid``."""
     return (distance.clamp(-REACH, REACH) / REACH * 127).round().to(torch.int8)
 
 
 def distances_of(shape: Shape, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n k"]:
-    """Each part's signed distance, to first order also where the shape's scale is uneven: its own
-    is too short there, and a network's error in it would be so much larger a one of the surface."""
+    """Each part's signed distance, to first order also where the shape's scale is uneven.
+
+    The shape's own distance is too short there: a network's error in it would move the surface
+    more.
+    """
     found, least = shape.distances(points), min(shape.scale) / max(shape.scale)
     if math.isclose(least, 1):
         return found
@@ -123,7 +126,7 @@ def cells() -> Float[Tensor, "n 3"]:
 
 
 def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
-    """At the surface, about it, anywhere."""
+    """Points at the surface, about it, and anywhere in the cube."""
 
     def sdf(points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         return distances_of(shape, points).amin(1)
@@ -144,7 +147,7 @@ def _points(shape: Shape, generator: torch.Generator) -> Float[Tensor, "p 3"]:
 def write_solids(
     folder: Path, number: int, of_each: int = OF_EACH, nouns: Sequence[str] = NOUNS
 ) -> Path:
-    """Make the file ``number`` (it is also the seed) unless the folder has it; whole or not."""
+    """Write the file ``number`` (also the seed) unless the folder has it, by a temporary file."""
     path = folder / SOLIDS.replace("*", f"{number:05d}")
     if not path.exists():
         with atomic_file(path) as temporary:
@@ -161,7 +164,8 @@ def _work(job: tuple[Path, int, Sequence[str]]) -> Path:
 def write_solid_files(
     folder: Path, numbers: range, workers: int, nouns: Sequence[str] = NOUNS
 ) -> Iterator[Path]:
-    """The files ``numbers`` of ``folder``, by ``workers`` processes, as they are done."""
+    """The paths of the files ``numbers`` in ``folder``, each when one of ``workers`` processes has
+    written it."""
     if not numbers:
         return
     with multiprocessing.get_context("spawn").Pool(workers) as pool:
@@ -169,7 +173,7 @@ def write_solid_files(
 
 
 def read_solids(paths: list[Path]) -> Solids:
-    """Files of solids, joined."""
+    """The solids of several files, joined."""
     parts = [load_file(path) for path in paths]
     names = [field.name for field in fields(Solids)]
     return Solids(*(torch.cat([part[name] for part in parts]) for name in names))

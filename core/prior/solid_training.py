@@ -33,37 +33,38 @@ from core.prior.train import TrainConfig, Training, arithmetic
 WORDS = (len(NOUNS), len(ADJECTIVES) - 1, len(PART_STATES) - 1, KINDS * len(NOUNS))
 SOLID = SolidNetConfig(WORDS)
 FITTING = TrainConfig(minutes=120.0, batch=16, learning_rate=1.5e-3, warm_up=100)
-AT_PART = 0.03  # training units, outside of a part at the most
+AT_PART = 0.03  # training units: the greatest distance outside a part of a point at that part
 ASKED = 2048  # points of an object in one step
-# Nouns of larger errors are drawn more often, within these bounds; the mean of the last so many.
+# Nouns with larger errors are drawn more often, within these bounds; an error is a mean over this
+# many last ones.
 OFTEN, REMEMBERED = (0.5, 3.0), 20
-HOLD = 800  # steps in which what was taken over stays, until what is new fits it
-PRIOR_WEIGHT = 4e-5  # of the code's distance to the normal distribution, nats
+HOLD = 800  # steps in which the loaded weights stay fixed, until the new ones fit them
+PRIOR_WEIGHT = 4e-5  # weight of the code's distance to the normal distribution, nats
 INSIDE = 2.5  # weight of a distance inside the solid
-INSIDE_WEIGHT = 0.03  # of the cross entropy of what is inside
+INSIDE_WEIGHT = 0.03  # weight of the cross entropy of inside and outside
 STEEPNESS = 8.0  # of its logits, / SCALE of the distance
 UNCLEAR = 0.02  # distance, / SCALE, that is neither inside nor outside
-PART_WEIGHT = 0.4  # of the error of each part's own distance
-OWNER_WEIGHT = 0.03  # of the cross entropy of whose the surface is
-OWNER_REACH = 0.6  # within which of the surface that is asked for, / SCALE
-ALIKE = 0.01  # training units: how far apart the sides of what is mirrored may be
-CHECKED = 4  # objects of a mirrored kind, of which the parts are looked at
-STEEPEST = 1.5  # a distance over the way, more than any is
-LOG_VARIANCE = (-8.0, 4.0)  # bounds of what the encoder answers
+PART_WEIGHT = 0.4  # weight of the error of each part's own distance
+OWNER_WEIGHT = 0.03  # weight of the cross entropy of the part that the surface belongs to
+OWNER_REACH = 0.6  # distance to the surface within which this cross entropy is computed, / SCALE
+MIRROR_TOLERANCE = 0.01  # training units: greatest difference between two mirrored sides
+CHECKED = 4  # objects of a mirrored kind whose parts are compared
+STEEPEST = 1.5  # bound of the change of a distance over the length of the way
+LOG_VARIANCE = (-8.0, 4.0)  # bounds of the encoder's output
 
 
 class SolidBatch(NamedTuple):
-    """Objects, and what is asked of each."""
+    """Objects, and the points of each with their distances."""
 
     volumes: Float[Tensor, "b 1 32 32 32"]
     words: Int[Tensor, "b 4"]  # rows
     points: Float[Tensor, "b n 3"]  # in [-1, 1]³
     distances: Float[Tensor, "b n 8"]  # of the parts, times SCALE
-    errors: Float[Tensor, " m"]  # each noun's, in the mean over the last ones; the loss adds to it
+    errors: Float[Tensor, " m"]  # each noun's mean over the last ones; the loss updates it
 
 
 class Encoder(nn.Module):
-    """A volume of distances and the words' embedding to a code's mean and log variance."""
+    """From a volume of distances and the words' embedding to a code's mean and log variance."""
 
     def __init__(self, config: SolidNetConfig) -> None:
         super().__init__()
@@ -78,13 +79,13 @@ class Encoder(nn.Module):
     def forward(
         self, volume: Float[Tensor, "b 1 32 32 32"], embedding: Float[Tensor, "b e"]
     ) -> tuple[Float[Tensor, "b l"], Float[Tensor, "b l"]]:
-        """Mean and log variance."""
+        """Mean and log variance of the objects' codes."""
         mean, log_variance = self.exit(self.net(volume) + self.words(embedding)).chunk(2, 1)
         return mean.float(), log_variance.float().clamp(*LOG_VARIANCE)
 
 
 class Autoencoder(nn.Module):
-    """What is trained: the decoder, which ships, and the encoder, which does not."""
+    """The trained networks: the decoder, which ships, and the encoder, which does not."""
 
     def __init__(self, config: SolidNetConfig = SOLID) -> None:
         super().__init__()
@@ -97,12 +98,12 @@ class Autoencoder(nn.Module):
 
 
 class SolidSource:
-    """Batches of objects from the data folder; more files are read as they come."""
+    """Batches of objects from the data folder; new files are read during the training."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.kinds = kinds_of(folder)
-        self.errors = torch.ones(len(NOUNS))  # of each noun, in the mean over the last ones drawn
+        self.errors = torch.ones(len(NOUNS))  # each noun's, mean over the last ones drawn
         self.paths: list[Path] = []
         self.rescan()
 
@@ -116,14 +117,14 @@ class SolidSource:
             self.mirrored = self._mirrored()
 
     def order_kinds(self, net: SolidNet) -> None:
-        """As the network has them that a training goes on with."""
+        """Put the folder's kinds in the order of a network that the training continues with."""
         self.kinds = in_order_of(net, self.kinds, self.samples.words[:, 0].unique())
         write_kinds(self.folder, self.kinds)
         self.paths = []
         self.rescan()
 
     def batch(self, count: int, generator: torch.Generator) -> SolidBatch:
-        """Random objects, and some of the points of each; nouns with large errors more often."""
+        """Random objects, nouns with large errors more often, and some of the points of each."""
         often = (self.errors / self.errors.mean()).clamp(*OFTEN)
         chance = often[self.samples.words[:, 0].long()]
         index = torch.multinomial(chance, count, replacement=True, generator=generator)
@@ -138,11 +139,11 @@ class SolidSource:
         return counts.index_put(index, torch.ones(len(self.rows)), accumulate=True)
 
     def _mirrored(self) -> Bool[Tensor, "k 2"]:
-        """Which kinds have none but objects that are the same on both sides of x = 0, of y = 0."""
-        alike = torch.stack([mirrored(self.samples.grid, axis) for axis in (0, 1)], 1)
-        unlike = torch.zeros(WORDS[3] + 1, 2).index_add(0, self.rows[:, 3], (~alike).float())
+        """Kinds whose objects are all the same on both sides of x = 0 (column 0) or y = 0 (1)."""
+        same = torch.stack([mirrored(self.samples.grid, axis) for axis in (0, 1)], 1)
+        different = torch.zeros(WORDS[3] + 1, 2).index_add(0, self.rows[:, 3], (~same).float())
         seen = self.rows[:, 3].bincount(minlength=WORDS[3] + 1) > 0
-        found = (unlike == 0) & seen[:, None]
+        found = (different == 0) & seen[:, None]
         for kind, axis in found.nonzero().tolist():
             some = (self.rows[:, 3] == kind).nonzero()[:CHECKED, 0]
             found[kind, axis] = all(parts_mirrored(self.samples, int(i), axis) for i in some)
@@ -150,26 +151,26 @@ class SolidSource:
 
 
 def mirrored(grid: Int[Tensor, "n s s s"], axis: int) -> Bool[Tensor, " n"]:
-    """Which volumes, as ``Solids.grid`` has them, are the same from both ends of an axis."""
+    """Which volumes, in the format of ``Solids.grid``, are the same from both ends of an axis."""
     same = []
     for some in grid.split(256):
         here = compared(some)
         there = compared(some.flip(1 + axis))
-        same.append((here - there).abs().amax(1) <= ALIKE / NEAR)
+        same.append((here - there).abs().amax(1) <= MIRROR_TOLERANCE / NEAR)
     return torch.cat(same)
 
 
 def parts_mirrored(solids: Solids, index: int, axis: int) -> bool:
-    """Whether each of an object's parts is the same from both ends of an axis, as far as its points
-    tell: a hot tap and a cold one are not, though their volume is."""
+    """Whether each of an object's parts is the same from both ends of an axis, by its points: a hot
+    tap and a cold one are not, though their volume is."""
     points = solids.points[index].float() / 32767 * EXTENT
     distances = solids.distances[index].float()
     there = points[:ASKED].clone()
     there[:, axis] *= -1
     gap, near = KDTree(points.numpy()).query(there.numpy())
-    # A distance changes no faster than the way.
+    # A distance changes no faster than the position.
     away = (distances[near] - distances[:ASKED]).abs().amax(1)
-    return bool((away <= STEEPEST * torch.from_numpy(gap) + ALIKE).all())
+    return bool((away <= STEEPEST * torch.from_numpy(gap) + MIRROR_TOLERANCE).all())
 
 
 def asked(
@@ -177,8 +178,8 @@ def asked(
 ) -> tuple[Float[Tensor, "b n 3"], Float[Tensor, "b n 8"]]:
     """``count`` points of each object, in [-1, 1]³, and the parts' distances times SCALE.
 
-    Half of them are at the objects' parts, at each as many: a doll's eyes have 20 points in 4,096,
-    and were never learnt.
+    Half of them are at the objects' parts, the same number at each: a doll's eyes have 20 points of
+    4,096, and were never learnt otherwise.
     """
     points = solids.points[index]
     at_parts = torch.stack([solids.distances[i] for i in index]) < AT_PART  # (b, p, 8)
@@ -196,8 +197,8 @@ def asked(
 
 
 def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
-    """The mean error of the distance and of the parts' own, the cross entropy of whose the surface
-    is, the code's prior."""
+    """The loss: the errors of the whole's and of the parts' distances, the cross entropy of the
+    part that the surface belongs to, and the code's prior."""
     volume, words, points, distances, _ = (x.to(training.device) for x in batch)
     net: Autoencoder = training.net  # pyright: ignore[reportAssignmentType]
     with arithmetic(training.device):
@@ -216,7 +217,7 @@ def solid_loss(training: Training, batch: SolidBatch) -> Tensor:
 
 
 def remember(batch: SolidBatch, errors: Float[Tensor, " b"]) -> None:
-    """Add the objects' errors to their nouns'."""
+    """Update the nouns' mean errors with the objects' errors."""
     for noun, error in zip((batch.words[:, 0] - 1).tolist(), errors, strict=True):
         batch.errors[noun] += (error - batch.errors[noun]) / REMEMBERED
 
@@ -224,22 +225,22 @@ def remember(batch: SolidBatch, errors: Float[Tensor, " b"]) -> None:
 def distance_loss(
     found: Float[Tensor, "*b n"], distance: Float[Tensor, "*b n"]
 ) -> Float[Tensor, ""]:
-    """Mean absolute error; what is rightly farther off than 1 has none (Park et al. 2019,
-    "DeepSDF", Eq. 4). Inside it counts more: a wall thinner than the error would be torn."""
+    """Mean absolute error; 0 where both distances are beyond 1 on the same side (Park et al. 2019,
+    "DeepSDF", Eq. 4). It counts more inside: a wall thinner than the error would be torn."""
     beyond = (distance.abs() >= 1) & (found * distance >= 1)
     weight = torch.where(distance < 0, INSIDE, 1.0)
     return ((found - distance).abs() * weight * ~beyond).mean()
 
 
 def inside_loss(found: Float[Tensor, "b n"], distance: Float[Tensor, "b n"]) -> Float[Tensor, ""]:
-    """Cross entropy of what is inside, by the sign of the distance alone."""
+    """Cross entropy of inside and outside, by the sign of the distance alone."""
     clear = distance.abs() > UNCLEAR
     inside = (distance < 0).float()
     return F.binary_cross_entropy_with_logits(-STEEPNESS * found[clear], inside[clear])
 
 
 class SolidTraining(Training):
-    """A training of the autoencoder, whose decoder may begin with shipped weights."""
+    """A training of the autoencoder, whose decoder may start from shipped weights."""
 
     kind_tables: ClassVar = ("words.3", "kind")
     noun_tables: ClassVar = ("words.0", "own", *kind_tables)
@@ -248,24 +249,24 @@ class SolidTraining(Training):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        self.known: set[str] = set()  # parameters taken over whole
+        self.known: set[str] = set()  # parameters loaded completely
 
     def advance(self, source: Batches) -> None:
-        """One step; what is mirrored is so by all objects that there are."""
+        """One step; all objects of the source decide which kinds are mirrored."""
         if isinstance(source, SolidSource):
             self.net.decoder.mirrored.copy_(source.mirrored)
         super().advance(source)
 
     def start_from(self, path: Path) -> None:
-        """Begin with a shipped decoder.
+        """Start from a shipped decoder.
 
-        What it lacks begins by chance, but for a layer's further inputs, which count nothing yet.
-        The decoder stays at first: by a code that says nothing it would unlearn.
+        Weights that it lacks start at random, but a layer's further inputs start at zero. The
+        decoder is fixed at first: with a code without information it would forget.
         """
         old = self.shipped(path)
         mirrored = self.net.decoder.mirrored
         with torch.no_grad():
-            # What mirrors a kind it has learnt on one side alone.
+            # The decoder has learnt a mirrored kind on one side alone.
             known = old["decoder.mirrored"][: len(mirrored)]
             mirrored[: len(known)].copy_(known)
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
@@ -278,27 +279,27 @@ class SolidTraining(Training):
                     p.register_hook(self._held)
 
     def hold(self, source: Batches) -> None:
-        """As any training's; what was taken over whole waits until ``held_until``."""
+        """As in ``Training``; completely loaded parameters stay fixed until ``held_until``."""
         super().hold(source)
         for table in self._noun_tables():
             if f"{table}.weight" in self.known:
                 self.net.get_submodule(table).learnt.register_hook(self._held)
 
     def rows_of(self, table: str, source: Batches) -> Int[Tensor, " r"]:
-        """Of the nouns, or of their kinds."""
+        """The rows of the source's nouns, or of their kinds."""
         assert isinstance(source, SolidSource)
         of_kinds = table.endswith(self.kind_tables)
         return kinds_in(source) if of_kinds else source.samples.words[:, 0].unique().long() + 1
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
-        """The decoder's tensors."""
+        """The decoder's tensors, by their names in the autoencoder."""
         return {f"decoder.{name}": tensor for name, tensor in load_tensors(path).items()}
 
     def _held(self, gradient: Tensor) -> Tensor:
         return gradient if self.step >= self.held_until else torch.zeros_like(gradient)
 
     def encode_as(self, checkpoint: Path) -> None:
-        """Begin with the encoder of an older training: what is taken over need not wait for one."""
+        """Start with an older training's encoder, so that loaded weights need not stay fixed."""
         old = load_file(checkpoint)
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
@@ -308,8 +309,8 @@ class SolidTraining(Training):
         self.held_until = 0
 
     def forget_kinds(self, source: SolidSource) -> None:
-        """Begin the kinds of the source's nouns anew: where a family has changed, an older kind is
-        of something else, and what comes out at first is between the two."""
+        """Start the kinds of the source's nouns again: where a family has changed, an older kind
+        shows another object, and the first results are a mixture of both."""
         with torch.no_grad():
             for (name, p), mean in zip(self.net.named_parameters(), self.ema, strict=True):
                 if name in ("decoder.words.3.weight", "decoder.kind.weight"):
@@ -318,8 +319,8 @@ class SolidTraining(Training):
 
 
 def trained_solid_net(folder: Path, before: Path) -> SolidNet:
-    """What ships: the decoder of the folder's checkpoint, with its averaged weights; of a held
-    training those of its nouns alone, and else what shipped ``before``."""
+    """The decoder to ship: the folder's checkpoint with its averaged weights; after a held training
+    only the rows of its nouns, and everything else from the file ``before``."""
     net = Autoencoder()
     path = folder / "solid_ema.safetensors"
     weights = {name: tensor.float() for name, tensor in load_file(path).items()}
@@ -332,13 +333,13 @@ def trained_solid_net(folder: Path, before: Path) -> SolidNet:
 
 
 def kinds_in(source: SolidSource) -> Int[Tensor, " k"]:
-    """The rows of the kinds of the nouns that there are solids of."""
+    """The rows of the kinds of the source's nouns."""
     nouns = source.samples.words[:, 0].unique().long()
     return (KINDS * nouns[:, None] + 1 + torch.arange(KINDS)).flatten()
 
 
 def kept(net: SolidNet, old: dict[str, Tensor], source: SolidSource) -> SolidNet:
-    """``net`` with the older one's tensors, but for the rows of the source's nouns: a checkpoint
+    """``net`` with the tensors of ``old`` except for the rows of the source's nouns: a checkpoint
     rounds the others."""
     learnt, kinds = source.samples.words[:, 0].unique().long() + 1, kinds_in(source)
     rows = {"words.0.weight": learnt, "own.weight": learnt, "counts": kinds}

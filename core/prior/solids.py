@@ -1,8 +1,8 @@
 """Signed distances of simple solids; negative inside, in the units of the points.
 
 Formulas: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org). A solid
-is a function of points ``(N, 3)``; each of these is exact outside, or a lower bound of the distance
-where the docstring says so, which is what sphere tracing needs.
+is a function of points ``(N, 3)``; each of these is exact outside or, where the docstring states
+it, a lower bound of the distance: sphere tracing needs one of the two.
 """
 
 import math
@@ -139,7 +139,7 @@ def lathe(
     It is closed with flat ends at its first and last height; ``rounding`` grows it. The closing
     edge runs beyond the axis, so that it is never the nearest one.
     """
-    # As far on the other side of the axis as the profile is wide.
+    # On the other side of the axis, as far as the profile is wide.
     beyond = -max(r for r, _ in profile)
     corners = [*profile, (beyond, profile[-1][1]), (beyond, profile[0][1])]
 
@@ -163,16 +163,17 @@ def prism(corners: list[tuple[float, float]], axis: int, half: float, middle: fl
 
 
 def outlined(side: list[tuple[float, float]], half: list[tuple[float, float]]) -> Solid:
-    """What has the outline ``side`` (y, z) seen from the side and ``half`` mirrored from above; a
-    lower bound of the distance."""
+    """A solid with the outline ``side`` (y, z) seen from the side and ``half``, mirrored, seen from
+    above; a lower bound of the distance."""
     return within(prism(side, 0, 2), prism(mirrored(half), 2, 4))
 
 
 def lozenge_blade(
     low: float, high: float, wide: float, thick: float, tip: float, slim: float
 ) -> Solid:
-    """A lozenge across, of half ``wide`` along x and half ``thick`` along y where it begins, and
-    ``slim`` times that where its point of length ``tip`` does; a lower bound of the distance."""
+    """A blade with a lozenge as its section, half ``wide`` along x and half ``thick`` along y at
+    its base, ``slim`` times that where its point of length ``tip`` starts; a lower bound of the
+    distance."""
     slope, steep = (slim - 1) / (high - tip - low), slim / tip
 
     def distance(p: Tensor) -> Tensor:
@@ -190,7 +191,7 @@ def cut(solid: Solid, *holes: Solid) -> Solid:
     def distance(p: Tensor) -> Tensor:
         result = solid(p)
         for hole in holes:
-            # Exact for neither at the rim, where the nearest point of one lies within the other.
+            # Exact for neither at the rim, where the nearest point of one is within the other.
             result = torch.maximum(result, -hole(p))
         return result
 
@@ -198,7 +199,7 @@ def cut(solid: Solid, *holes: Solid) -> Solid:
 
 
 def within(solid: Solid, region: Solid) -> Solid:
-    """What of ``solid`` lies in the region; a lower bound of the distance."""
+    """The intersection of ``solid`` and ``region``; a lower bound of the distance."""
     return cut(solid, lambda p: -region(p))
 
 
@@ -208,7 +209,8 @@ def grown(solid: Solid, by: float) -> Solid:
 
 
 def flattened(solid: Solid, along_y: float) -> Solid:
-    """``solid`` made thinner in y by the factor; a lower bound."""
+    """``solid`` scaled along y by the factor ``along_y``, below 1; a lower bound of the
+    distance."""
     return lambda p: solid(p * p.new_tensor([1, 1 / along_y, 1])) * along_y
 
 
@@ -250,7 +252,7 @@ def taper(start: Vector, end: Vector, first: float, last: float) -> Solid:
 
 
 def chain(stops: Iterable[tuple[Vector, float]]) -> Solid:
-    """The hulls of each two balls that follow one another; a ball is its centre and its radius."""
+    """The hulls of each two successive balls; a ball is given by its centre and its radius."""
     return join(*(taper(a, b, first, last) for (a, first), (b, last) in pairwise(stops)))
 
 
@@ -273,14 +275,15 @@ def egg(center: Vector, radii: Vector) -> Solid:
 
 
 def blend(width: float, *solids: Solid) -> Solid:
-    """The union with seams filled over ``width`` (Quilez's polynomial minimum); a lower bound."""
+    """The union with its creases filled over ``width`` (Quilez's polynomial minimum); a lower
+    bound."""
 
     def distance(p: Tensor) -> Tensor:
         result = solids[0](p)
         for solid in solids[1:]:
             other = solid(p)
             # Only where the distances differ by less than ``width``: by a quarter of it at the
-            # seam.
+            # crease.
             h = (0.5 + 0.5 * (other - result) / width).clamp(0, 1)
             result = other + (result - other) * h - width * h * (1 - h)
         return result
@@ -289,7 +292,7 @@ def blend(width: float, *solids: Solid) -> Solid:
 
 
 def moved(solid: Solid, by: Vector) -> Solid:
-    """``solid`` carried along ``by``."""
+    """``solid`` moved by the vector ``by``."""
     return lambda p: solid(p - p.new_tensor(by))
 
 
@@ -308,12 +311,12 @@ def turned(solid: Solid, axis: int, degrees: float) -> Solid:
 
 
 def tilted(solid: Solid, degrees: float, at: Vector) -> Solid:
-    """``solid``, made about the origin, its front lowered, then carried to ``at``."""
+    """``solid``, made about the origin, with its front lowered, then moved to ``at``."""
     return moved(turned(solid, 0, degrees), at)
 
 
 def both(solid: Solid, *axes: int) -> Solid:
-    """``solid``, which stands on the positive side of the axes (x if none), mirrored."""
+    """``solid``, made on the positive side of the axes (x if none are given), mirrored at each."""
     folded = axes or (0,)
 
     def distance(p: Tensor) -> Tensor:
@@ -325,7 +328,7 @@ def both(solid: Solid, *axes: int) -> Solid:
 
 
 def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
-    """``count`` copies about +Z of ``solid``, which stands at +X and is symmetric in y."""
+    """``count`` copies about +Z of ``solid``, which is at +X and is symmetric in y."""
     step = 2 * math.pi / count
 
     def distance(p: Tensor) -> Tensor:
@@ -339,12 +342,12 @@ def around(count: int, solid: Solid, first_deg: float = 0.0) -> Solid:
 
 
 def mirrored(half: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The outline of which ``half`` is the side of x >= 0."""
+    """The outline whose side x >= 0 is ``half``."""
     return [*half, *((-u, v) for u, v in reversed(half))]
 
 
 def smooth_curve(points: list[tuple[float, float]], steps: int = 4) -> list[tuple[float, float]]:
-    """A Catmull-Rom curve through the points, ``steps`` segments between two of them."""
+    """A Catmull-Rom curve through the points, with ``steps`` segments between two of them."""
     # Each end twice: Catmull-Rom needs a neighbour on either side.
     padded = [points[0], *points, points[-1]]
     curve = []

@@ -13,7 +13,7 @@ from core.prior.colored import Painter, blurred, lumpy
 from core.prior.data import MODEL_VIEWS, NOUNS, SHARDS, Samples, joined, read_shards
 from core.prior.draw import Draw
 
-# Things whose parts are many or alike, so that their colours are mixed up most.
+# Nouns with many or similar parts, whose colours are confused most often.
 MIXED = ("house", "bench", "candle", "carrot", "cupcake", "fish", "car", "bus", "truck", "train")
 MIXED += ("boat", "rocket", "cottage", "church", "lighthouse", "hammer", "axe", "drum")
 
@@ -23,21 +23,21 @@ Batch = tuple[Tensor, Tensor, Tensor, Tensor | None]
 
 @runtime_checkable
 class Batches(Protocol):
-    """Where a training's batches come from."""
+    """A source of a training's batches."""
 
-    samples: Any  # what they are drawn from, counted by len()
+    samples: Any  # the samples that they are drawn from; len() is their number
 
     def batch(self, count: int, generator: torch.Generator) -> Any:
-        """``count`` random samples, as the objective takes them."""
+        """``count`` random samples, in the form that the objective expects."""
         ...
 
     def rescan(self) -> None:
-        """Read what has come."""
+        """Read the new files."""
         ...
 
 
 class Source(ABC):
-    """The data folder's samples; more shards are read as they come."""
+    """The data folder's samples; new shards are read during the training."""
 
     names = (SHARDS,)
     noun_weights: ClassVar[dict[str, float]] = {}  # in the draw, where not 1
@@ -51,7 +51,7 @@ class Source(ABC):
         return [path for name in self.names for path in sorted(self.folder.glob(name))]
 
     def rescan(self) -> None:
-        """Read the shards that have come."""
+        """Read the new shards."""
         new = [path for path in self._shards() if path not in self.paths]
         if new:
             self.paths += new

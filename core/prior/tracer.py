@@ -1,4 +1,4 @@
-"""Sphere tracing of the families into the prior's pictures: what the renderer would show, cheaply.
+"""Sphere tracing of the families into the prior's pictures: a cheap substitute for the renderer.
 
 Pixels and cameras are those of ``core.camera`` and ``core.render``: row 0 is the top, rays go
 through pixel centres, normals are in the object's frame.
@@ -17,13 +17,13 @@ from core.prior.families import gradient
 
 REACH = 1.0  # radius of the ball that holds every object, with its jitter
 HIT = 1.5e-3  # distance that counts as the surface, training units
-# Rays that graze a surface for longer count as misses.
+# Rays that graze a surface for more steps count as misses.
 STEPS = 96
 
 
 @runtime_checkable
 class Solid(Protocol):
-    """What can be traced, such as ``core.prior.families.Shape``."""
+    """A solid that can be traced, such as ``core.prior.families.Shape``."""
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance or less, negative inside, training units."""
@@ -62,7 +62,8 @@ def rays(cameras: Cameras, size: int) -> tuple[Tensor, Tensor]:
 def trace(shape: Solid, origin: Tensor, direction: Tensor, start: Tensor | None = None) -> Tensor:
     """Distance along each ray (N,) to the surface; infinite where it misses.
 
-    Up to ``start`` (N,) the rays are known to be free; it is infinite where they miss.
+    ``start`` (N,): the distances up to which the rays are known to be free; infinite where they
+    miss.
     """
     near, end = _within_reach(origin, direction)
     t = near if start is None else torch.maximum(near, start)
@@ -81,7 +82,8 @@ def trace(shape: Solid, origin: Tensor, direction: Tensor, start: Tensor | None 
 
 
 def _within_reach(origin: Tensor, direction: Tensor) -> tuple[Tensor, Tensor]:
-    """Where rays enter and leave the ball that holds every object; infinity and zero: never."""
+    """The distances at which rays enter and leave the ball around every object; infinity and zero
+    for rays that miss it."""
     middle = -(origin * direction).sum(1)
     square = REACH**2 - (origin**2).sum(1) + middle**2
     half = square.clamp_min(0).sqrt()
@@ -92,7 +94,7 @@ def _within_reach(origin: Tensor, direction: Tensor) -> tuple[Tensor, Tensor]:
 def free_lengths(
     shape: Solid, cameras: Cameras, size: int, block: int = 4
 ) -> Float[Tensor, "b {size} {size}"]:
-    """How far each pixel's ray is surely free; infinite where it misses.
+    """The distance up to which each pixel's ray is certainly free; infinite where it misses.
 
     One cone for each ``block``² pixels is marched (Crassin's cone marching): the pixels' rays are
     within ``wide`` t of its axis at t, so a ball of radius d about the axis frees them up to
@@ -118,7 +120,7 @@ def free_lengths(
         free[alive[stuck]] = t[alive[stuck]]
         t[alive] = ahead
         alive = alive[~stuck & (ahead < end[alive])]
-    # Still on their way when the steps are spent: free as far as they came.
+    # The steps are used up: these are free as far as they came.
     free[alive] = t[alive]
     square = free.view(len(cameras), size // block, size // block)
     return square.repeat_interleave(block, 1).repeat_interleave(block, 2)

@@ -1,7 +1,7 @@
 """Training of the prior's networks, on one CPU thread or a GPU, for a budget of minutes.
 
 The learning rate follows the fraction of the budget that is spent, so the budget is the whole
-schedule. A checkpoint is written every few minutes; a stopped run goes on from it, with the
+schedule. A checkpoint is written every few minutes; a stopped run continues from it, with the
 remaining budget or a new one.
 """
 
@@ -39,23 +39,23 @@ from core.prior.learnt_rows import LearntRows
 from core.prior.sources import Batch, Batches
 from core.prior.velocity import v_target
 
-Objective = Callable[["Training", Any], Tensor]  # of a batch of the training's source
+Objective = Callable[["Training", Any], Tensor]  # the loss of a batch of the training's source
 
 
 @dataclass(frozen=True, kw_only=True)
 class TrainConfig:
-    """One training."""
+    """The settings of one training."""
 
     minutes: float = 95.0
     batch: int = 32
     learning_rate: float = 8e-4
-    last_fraction: float = 0.02  # of the learning rate, when the budget is spent
+    last_fraction: float = 0.02  # of the learning rate, at the end of the budget
     warm_up: int = 200  # steps
     ema: float = 0.999
     drop_both: float = 0.10  # neither words nor camera
     drop_words: float = 0.05
     drop_camera: float = 0.05
-    late_fraction: float = 0.5  # of the batch has its time drawn from the noisier steps only
+    late_fraction: float = 0.5  # of the batch, whose times are drawn from the noisier steps only
     late_from: int = 600
     checkpoint_minutes: float = 2.5
     rescan_minutes: float = 1.0  # look for new shards
@@ -83,7 +83,7 @@ def learning_rate(step: int, progress: float, config: TrainConfig) -> float:
 def drop_conditions(
     words: Tensor, camera: Tensor, config: TrainConfig, generator: torch.Generator
 ) -> tuple[Tensor, Tensor]:
-    """Some of the batch without its words, its camera, or both, for classifier-free guidance."""
+    """The batch, a part of it without words, camera, or both, for classifier-free guidance."""
     # One number for each picture, so that the three cases exclude one another.
     u = torch.rand(len(words), generator=generator)
     both, words_only = config.drop_both, config.drop_both + config.drop_words
@@ -101,8 +101,8 @@ def draw_times(count: int, config: TrainConfig, generator: torch.Generator) -> T
 
 
 def arithmetic(device: torch.device) -> torch.autocast:
-    """That of a network's steps: bfloat16, but not on a CPU without units for it, where a step of
-    the solids' takes 7.8 s in it and 1.4 s in 32 bit."""
+    """The autocast of a network's steps: bfloat16, except on a CPU without units for it, where a
+    step of the solids' network takes 7.8 s in bfloat16 and 1.4 s in 32 bit."""
     return torch.autocast(device.type, torch.bfloat16, enabled=has_fast_bfloat16(device))
 
 
@@ -115,7 +115,7 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
     eps = torch.randn(x.shape, generator=g).to(device)
     x, words, camera = (tensor.to(device) for tensor in (x, words, camera))
     given = None
-    if surface is not None:  # of the words that are left after some captions were dropped
+    if surface is not None:  # with the words that are left after some captions were dropped
         given = hint(*surface.to(device).split([SURFACE, PARTS], 1), words)
     alpha_bar = training.alpha_bar[t]
     z_t = add_noise(x, eps, alpha_bar)
@@ -126,11 +126,11 @@ def denoising_loss(training: "Training", batch: Batch) -> Tensor:
 
 
 class Training:
-    """A network in training: weights, their moving average, the optimiser, the time spent."""
+    """A network in training: its weights, their moving average, the optimiser, the time spent."""
 
     noun_tables: ClassVar[tuple[str, ...]] = ("words.0",)  # a row for each noun
-    held_until = 0  # the step up to which what was taken over stays
-    unshipped: ClassVar[tuple[str, ...]] = ()  # what is trained along, and only for the training
+    held_until = 0  # the step up to which loaded weights stay fixed
+    unshipped: ClassVar[tuple[str, ...]] = ()  # prefixes of weights that only the training needs
 
     def __init__(
         self,
@@ -151,7 +151,7 @@ class Training:
         self.held = False
 
     def _learn(self, weight_decay: float) -> None:
-        """Begin with all that has a gradient."""
+        """Start to train all parameters with a gradient."""
         named = [(name, p) for name, p in self.net.named_parameters() if p.requires_grad]
         self.names, self.params = map(list, zip(*named, strict=True))
         self.ema = [p.detach().clone() for p in self.params]
@@ -185,14 +185,14 @@ class Training:
         for mean, parameter in zip(self.ema, self.params, strict=True):
             mean.lerp_(parameter.detach(), 1 - keep)
         self.loss = loss.item() if self.step == 1 else 0.99 * self.loss + 0.01 * loss.item()
-        # Time in steps alone: reading shards and saving is not of the budget.
+        # Only time in steps: reading shards and saving are not part of the budget.
         self.seconds += time.monotonic() - start
 
     def start_from(self, path: Path) -> None:
-        """Begin with shipped weights of an older vocabulary, whose words come first in each slot.
+        """Start from shipped weights of an older vocabulary, whose words come first in each slot.
 
         A new word starts as the mean of its slot's words, a new slot as zeros. A stem that the
-        older network lacks keeps its first weights, which change nothing.
+        older network lacks keeps its initial weights, which change nothing.
         """
         old = self.shipped(path)
         with torch.no_grad():
@@ -213,8 +213,11 @@ class Training:
                 mean.copy_(p)
 
     def hold(self, source: Batches) -> None:
-        """Let nothing learn but the nouns that the source has samples of. What is made of the
-        others stays, to the bit: of a training that all has learnt in, its average."""
+        """Train only the nouns that the source has samples of.
+
+        The results for the other nouns stay the same to the bit. The weights are first replaced by
+        their moving averages.
+        """
         with torch.no_grad():
             for p, mean in zip(self.params, self.ema, strict=True):
                 p.copy_(mean)
@@ -228,7 +231,7 @@ class Training:
         self.held = True
 
     def _noun_tables(self) -> list[str]:
-        """The modules' names."""
+        """The names of the modules that are noun tables."""
         names = [name for name, _ in self.net.named_modules()]
         return [name for name in names if name.endswith(self.noun_tables)]
 
@@ -237,11 +240,11 @@ class Training:
         return source.samples.noun.unique().long() + 1
 
     def shipped(self, path: Path) -> dict[str, Tensor]:
-        """The tensors of a shipped file, by the names that they have here."""
+        """The tensors of a shipped file, by their names in this network."""
         return load_tensors(path)
 
     def save(self, path: Path) -> None:
-        """Everything that ``resume`` needs, in one file; and the averaged weights next to it."""
+        """Write all that ``resume`` needs to one file, and the averaged weights next to it."""
         tensors = {f"net.{name}": p for name, p in self.weights().items()}
         for name, p, mean in zip(self.names, self.params, self.ema, strict=True):
             tensors[f"ema.{name}"] = mean
@@ -256,15 +259,15 @@ class Training:
         )
 
     def weights(self) -> dict[str, Tensor]:
-        """By their names in a net of which nothing is held."""
+        """All weights, by their names in a network without held tables."""
         return self._whole(self.params)
 
     def averaged(self) -> dict[str, Tensor]:
-        """Their moving average."""
+        """The moving average of all weights, by the same names."""
         return self._whole(self.ema)
 
     def _whole(self, learning: list[Tensor]) -> dict[str, Tensor]:
-        """All weights, of what learns these."""
+        """All weights, with ``learning`` in the place of the trained ones."""
         found = {name: p.detach() for name, p in self.net.named_parameters()}
         found |= {name: p.detach() for name, p in zip(self.names, learning, strict=True)}
         for table in self._noun_tables() if self.held else ():
@@ -273,15 +276,15 @@ class Training:
         return found
 
     def resume(self, path: Path, source: Batches) -> None:
-        """Go on from ``save``'s file, with samples of the same nouns.
+        """Continue from ``save``'s file, with samples of the same nouns.
 
-        Raises UserError where what learns is not in the file.
+        Raises UserError if a trained parameter is not in the file.
         """
         tensors = load_file(path)
         facts = read_metadata(path)["training"]
         self.step, self.seconds, self.loss = facts["step"], facts["seconds"], facts["loss"]
         self.held_until = facts.get("held_until", self.held_until)
-        # The generator's state is not in the file. Another seed, or the run would see its first
+        # The generator's state is not in the file: another seed, or the run would get its first
         # batches again.
         self.generator.manual_seed(self.config.seed + self.step)
         with torch.no_grad():
@@ -294,8 +297,8 @@ class Training:
                 saved = tensors.get(f"ema.{name}")
                 if saved is None or saved.shape != mean.shape:
                     raise UserError(
-                        f"{path} is of other nouns than the folder has, or of an older program.",
-                        "Begin with the shipped weights (--start), in a folder of its own.",
+                        f"{path} is from a training on other nouns, or from an older version.",
+                        "Start from the shipped weights (--start), in another folder.",
                     )
                 mean.copy_(saved)
                 if f"m.{name}" not in tensors:

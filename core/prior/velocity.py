@@ -1,4 +1,4 @@
-"""v, what the prior's networks are trained to predict.
+"""v, the target that the prior's networks are trained to predict.
 
 v = sqrt(alpha_bar) eps - sigma x with sigma = sqrt(1 - alpha_bar) (Salimans and Ho, "Progressive
 Distillation", 2022, §4).
@@ -11,7 +11,7 @@ from torch import Tensor
 def v_target(
     x: Float[Tensor, "b c h w"], eps: Float[Tensor, "b c h w"], alpha_bar: Float[Tensor, " b"]
 ) -> Float[Tensor, "b c h w"]:
-    """What the network predicts."""
+    """The target v of the picture x with the noise eps."""
     a = alpha_bar[:, None, None, None]
     return a.sqrt() * eps - (1 - a).sqrt() * x
 

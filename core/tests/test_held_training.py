@@ -79,7 +79,7 @@ def test_some_rows_of_a_table_learn_and_no_other_is_asked_for():
     assert [name for name, p in rows.named_parameters() if p.grad is not None] == ["learnt"]
     changed = rows.whole(rows.learnt + 1) - table.weight
     assert changed.any(1).nonzero()[:, 0].tolist() == [2, 4]
-    with pytest.raises(UserError, match="did not begin with"):
+    with pytest.raises(UserError, match="did not start with"):
         rows(torch.tensor([3]))
 
 
@@ -103,7 +103,7 @@ def test_a_held_training_goes_on_with_the_nouns_that_it_began_with(pictures, tmp
     training.save(tmp_path / "geometry.safetensors")
     write_shard(tmp_path, 0, 2, ["mug", "vase"])
     again = Training(partial(UNet, PICTURES), CONFIG)
-    with pytest.raises(UserError, match="of other nouns"):
+    with pytest.raises(UserError, match="on other nouns"):
         again.resume(tmp_path / "geometry.safetensors", Geometry(tmp_path))
 
 

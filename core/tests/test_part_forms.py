@@ -38,7 +38,7 @@ def test_the_table_is_of_the_families_of_today(noun):
         # Rounded to hundredths; and of 360 points of a handle one or two lie so near a bound that
         # another CPU has them on its other side.
         assert found == pytest.approx(row, abs=0.008)
-    assert asked.least_pieces(noun) == pytest.approx(forms.least, abs=0.02)
+    assert asked.least_components(noun) == pytest.approx(forms.least, abs=0.02)
 
 
 def test_a_parts_least_piece_is_told_by_its_surface():
@@ -47,14 +47,14 @@ def test_a_parts_least_piece_is_told_by_its_surface():
     looks = dict(zip(NOUNS["boy"].looks, table, strict=False))
     assert looks["shoes"] > 0.9 and looks["hair"] == 1 and not any(table[len(looks) :])
     comb = list(NOUNS["rooster"].looks).index("comb")  # and wattles
-    found = asked.least_pieces("rooster")
+    found = asked.least_components("rooster")
     assert found == pytest.approx(part_forms_table()["rooster"].least, abs=0.02)
     assert 0.2 < found[comb] < 0.7
 
 
 def test_asking_some_nouns_keeps_what_is_said_of_the_others(tmp_path, monkeypatch):
     monkeypatch.setattr(asked, "part_forms", lambda noun: torch.full((4, 8), len(noun) / 10))
-    monkeypatch.setattr(asked, "least_pieces", lambda noun: [1.0] * len(noun))
+    monkeypatch.setattr(asked, "least_components", lambda noun: [1.0] * len(noun))
     path = tmp_path / "forms.json"
     asked.write_forms(path, ["mug", "chair"])
     asked.write_forms(path, ["vase"])

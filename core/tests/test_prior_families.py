@@ -51,7 +51,7 @@ def _points(count: int, reach: float = 1.5, seed: int = 0) -> torch.Tensor:
 
 
 def _each_family(check: Callable[[str], None]) -> None:
-    """All nouns in one test, which costs less than one for each; all that fail are named."""
+    """Check all nouns in one test, which costs less than a test for each; name all that fail."""
     wrong = []
     for noun in FAMILIES:
         try:
@@ -93,7 +93,7 @@ def _is_normalised_and_a_lower_bound(noun: str) -> None:
 
 
 def _beyond(surface: torch.Tensor) -> torch.Tensor:
-    """Places just beyond the surface's ends, each across from a point near one."""
+    """Places just beyond the surface's ends, each opposite a surface point near an end."""
     found = []
     for axis in range(3):
         for side in (-1.0, 1.0):
@@ -109,7 +109,7 @@ def test_a_distance_never_changes_faster_than_the_way():
 
 
 def _is_nowhere_too_steep(noun: str) -> None:
-    """In the family's own frame, as to find the other takes longer; stretched like "tall"."""
+    """In the family's own frame, because the other frame takes longer; stretched like "tall"."""
     parts = FAMILIES[noun](_draw(1, adjective="tall"))
     shape = Shape(parts, (0.0, 0.0, 0.7), STRETCH["tall"][0])
     a, b = _points(6000, 2.4, seed=1), _points(6000, seed=2) * 0.02
@@ -177,7 +177,7 @@ def test_the_parts_are_those_that_have_a_look_in_their_order():
 
 
 def _has_the_parts_that_have_a_look(noun: str) -> None:
-    """A part that a thing may lack comes last, so that the others keep their index."""
+    """A part that an object may lack comes last, so that the others keep their index."""
     for stated in ("", *OPTIONS.get(noun, ())):
         for seed in range(4):
             names = list(FAMILIES[noun](_draw(seed, stated)))
@@ -185,7 +185,7 @@ def _has_the_parts_that_have_a_look(noun: str) -> None:
 
 
 @pytest.mark.parametrize("noun", [n for n, o in OPTIONS.items() if f"no {o[0]}" in o])
-def test_a_part_is_there_if_and_only_if_it_is_said(noun):
+def test_a_part_is_there_if_and_only_if_it_is_stated(noun):
     part = OPTIONS[noun][0]
     volumes = []
     for stated in (part, f"no {part}"):
@@ -196,7 +196,7 @@ def test_a_part_is_there_if_and_only_if_it_is_said(noun):
     assert volumes[0] > volumes[1]
 
 
-def test_legs_are_as_many_as_are_said():
+def test_there_are_as_many_legs_as_stated():
     for noun, stated, count in (("stool", "three legs", 3), ("stool", "four legs", 4)):
         shape = build(noun, "", _draw(1, stated), jitter=0)
         surface = surface_points(shape.sdf, 2.4)
@@ -214,10 +214,10 @@ def test_new_solids_agree_with_slow_ones():
         atol=1e-5,
         rtol=0,
     )
-    share = torch.linspace(0, 1, 4001)[:, None]  # a row of shrinking balls
+    fraction = torch.linspace(0, 1, 4001)[:, None]  # a row of shrinking balls
     start, end = torch.tensor([0.0, 0.1, -0.4]), torch.tensor([0.2, 0.0, 0.5])
-    row = start + share * (end - start)
-    slow = (torch.cdist(points, row) - (0.3 - 0.2 * share.T)).amin(1)
+    row = start + fraction * (end - start)
+    slow = (torch.cdist(points, row) - (0.3 - 0.2 * fraction.T)).amin(1)
     fast = taper((0, 0.1, -0.4), (0.2, 0, 0.5), 0.3, 0.1)(points)
     torch.testing.assert_close(fast, slow, atol=1e-4, rtol=0)
     pair = ball((0.5, 0, 0), 0.2), ball((-0.5, 0, 0), 0.2)

@@ -53,7 +53,7 @@ def catalogue(tmp_path):
     return path
 
 
-def test_the_models_of_known_nouns_stand_upright_and_look_to_the_front(catalogue):
+def test_the_models_of_known_nouns_are_upright_and_face_the_front(catalogue):
     (chair, verts, faces), (stool, _, _) = catalogue_models(catalogue)
     assert (chair, stool) == ("chair", "stool")
     assert verts.norm(dim=1).max().item() == pytest.approx(NORMAL_RADIUS, rel=1e-5)
@@ -75,7 +75,7 @@ def test_what_is_no_catalogue_is_refused_with_the_way_to_get_one(tmp_path, conte
     path = tmp_path / "broken.sh3f"
     if content is not None:
         path.write_bytes(content)
-    with pytest.raises(UserError, match="no furniture catalogue") as error:
+    with pytest.raises(UserError, match="not a furniture catalogue") as error:
         list(catalogue_models(path))
     assert "apt install" in str(error.value)
 
@@ -83,7 +83,7 @@ def test_what_is_no_catalogue_is_refused_with_the_way_to_get_one(tmp_path, conte
 def test_a_zip_without_the_facts_is_refused(tmp_path):
     with zipfile.ZipFile(tmp_path / "other.sh3f", "w") as archive:
         archive.writestr("readme.txt", "nothing")
-    with pytest.raises(UserError, match="no furniture catalogue"):
+    with pytest.raises(UserError, match="not a furniture catalogue"):
         list(catalogue_models(tmp_path / "other.sh3f"))
 
 
@@ -137,7 +137,7 @@ def test_the_data_of_some_nouns_has_their_models_alone(catalogue, tmp_path):
     assert not (tmp_path / "penguin" / MODEL_VIEWS).exists()
 
 
-def test_without_the_catalogue_the_data_command_says_how_to_get_it(tmp_path, capsys):
+def test_without_the_catalogue_the_data_command_reports_how_to_get_it(tmp_path, capsys):
     missing = str(tmp_path / "none.sh3f")
     main(["data", "--shards", "0", "--out", str(tmp_path), "--catalogue", missing])
     assert "apt install sweethome3d-furniture" in capsys.readouterr().err

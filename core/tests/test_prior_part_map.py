@@ -18,7 +18,7 @@ def rows(*nouns: str) -> torch.Tensor:
     return torch.tensor([["", *NOUNS].index(noun) for noun in nouns])
 
 
-def test_every_noun_has_parts_and_no_more_than_the_network_tells_apart():
+def test_every_noun_has_parts_and_no_more_than_the_network_distinguishes():
     assert {len(noun.looks) for noun in NOUNS.values()} <= set(range(1, PARTS + 1))
 
 

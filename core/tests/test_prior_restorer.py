@@ -374,7 +374,7 @@ class Recorded(PromptedGuidance):
 @pytest.mark.parametrize(
     ("restore", "constant", "denoises"), [(True, 0.5, 0), (True, None, 2), (False, 0.5, 2)]
 )
-def test_refining_restores_where_it_is_told_to_and_the_guidance_can(restore, constant, denoises):
+def test_refining_restores_where_it_is_set_and_the_guidance_can(restore, constant, denoises):
     guidance = Recorded(GaussianGuidance(mesh_reference([], 16), 16), constant)
     rounds = RefineConfig(rounds=1, denoise_steps=2, restore=restore)
     z, views = torch.zeros(2, 4, 16, 16), Views(Cameras.orbit([0.0, 90.0], [0.0, 0.0]))

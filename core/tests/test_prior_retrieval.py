@@ -66,7 +66,7 @@ def test_a_mesh_of_a_fresh_object_is_nearest_to_its_own_noun(noun):
     assert ranks[0][1] < 0.75 * ranks[1][1]
 
 
-def test_few_points_tell_which_nouns_all_points_are_compared_with(monkeypatch):
+def test_few_points_select_the_nouns_that_all_points_are_compared_with(monkeypatch):
     clouds = (
         torch.randn(40, 1, 384, 3, generator=_generator())
         * torch.linspace(1, 3, 40)[:, None, None, None]
@@ -106,7 +106,7 @@ def test_lab_has_its_known_values():
     torch.testing.assert_close(lab(srgb_to_linear(srgb)), expected, atol=0.15, rtol=0)
 
 
-def test_the_colour_is_judged_on_the_main_parts_share():
+def test_the_colour_is_judged_on_the_main_parts_fraction():
     red = srgb_to_linear(torch.tensor(COLOR_VALUES["red"]))
     green = srgb_to_linear(torch.tensor(COLOR_VALUES["green"]))
     half = torch.cat([red.expand(60, 3), green.expand(40, 3)])

@@ -106,7 +106,7 @@ def coarse() -> Iterator[None]:
 
 @pytest.fixture(scope="module", autouse=True)
 def few_nouns() -> Iterator[None]:
-    """The training knows no more nouns than its network has; the tables of all are large."""
+    """The training knows only its network's nouns; the tables of all nouns are large."""
     with knowing(FEW):
         yield
 
@@ -120,7 +120,7 @@ def _drawn(net: SolidNet, noun: str, seed: int = 0) -> Solid:
     return Solid.drawn(net, _rows(noun)[:, :3], _generator(seed)).placed()
 
 
-def test_a_plane_sees_the_others_mean_at_the_row_that_they_share():
+def test_a_plane_sees_the_others_mean_at_their_common_row():
     xy, xz, yz = torch.randn(3, 1, 2, 4, 4).unbind()
     of_xy, of_xz, of_yz = with_others([xy, xz, yz])
     for i in range(4):
@@ -198,7 +198,7 @@ def test_a_kind_is_drawn_as_often_as_the_training_had_it():
 
 @pytest.fixture(scope="module")
 def mug(shipped) -> Callable[[str], Solid]:
-    """One mug, as each adjective has it."""
+    """One mug with each adjective."""
     return cache(Solid.drawn(shipped, _rows("mug")[:, :3], _generator()).placed)
 
 
@@ -222,7 +222,7 @@ def test_tall_is_taller_and_flat_flatter(mug):
     assert slender("flat") < 0.75 * slender("") < slender("") < 0.8 * slender("tall")
 
 
-def test_solids_are_what_their_family_says():
+def test_solids_are_their_familys():
     solids = make_solids(3, of_each=1, nouns=NOUN)
     assert len(solids) == 2 and solids.rows()[0, 0] == 1 + NOUNS.index("mug")
     points = solids.points[1].float() / 32767 * EXTENT
@@ -264,7 +264,7 @@ def test_files_are_made_once_and_whole(folder):
     assert list(write_solid_files(folder, range(0), 1)) == []
 
 
-def test_kinds_tell_apart_what_looks_different(folder):
+def test_kinds_distinguish_objects_that_look_different(folder):
     solids = read_solids(sorted(folder.glob("solids_*.safetensors")))
     chairs = solids.words[:, 0] == NOUNS.index("chair")
     kinds = kinds_of(folder)
@@ -353,7 +353,7 @@ def test_a_training_goes_on_from_a_shipped_decoder_of_fewer_features(tmp_path):
     assert new.own.weight.grad.any()
 
 
-def test_kinds_begin_anew_and_the_encoder_is_an_older_trainings(folder, tmp_path):
+def test_kinds_start_again_and_the_encoder_is_an_older_trainings(folder, tmp_path):
     trainings = [
         SolidTraining(
             partial(Autoencoder, TINY), TrainConfig(batch=4, seed=seed), objective=solid_loss
@@ -600,7 +600,7 @@ def test_a_kind_is_mirrored_where_all_of_its_objects_are(folder):
 
 
 def test_parts_that_differ_from_side_to_side_are_not_mirrored():
-    """A cube's stickers: of the whole's volume both sides are alike."""
+    """A cube's stickers: both sides of the whole's volume are the same."""
     nouns = ["puzzle cube", "chair", "sunglasses"]
     solids = make_solids(0, of_each=2, nouns=nouns)
     assert mirrored(solids.grid, 0).all()
@@ -624,7 +624,7 @@ def test_a_torn_drawing_is_drawn_again(monkeypatch):
         assert made[id(drawn)][0] == min(complexities)
 
 
-def test_complexity_counts_pieces_and_handles():
+def test_complexity_counts_components_and_handles():
     def of(sdf):
         solid = Solid.__new__(Solid)
         verts, faces, *_ = surface(sdf(GRID.tet_verts), GRID.tet_verts, GRID)

@@ -44,8 +44,8 @@ def test_traced_and_rasterised_pictures_agree(noun):
     assert torch.minimum(o, other).sum() / torch.maximum(o, other).sum() < both - 0.05
 
 
-def test_the_trained_hint_is_the_surface_that_the_appearance_training_tells():
-    """Normals, coverage and points of the mesh as ``surface_picture`` tells them to a guidance,
+def test_the_trained_hint_is_the_surface_of_the_appearance_training():
+    """Normals, coverage and points of the mesh as ``surface_picture`` gives them to a guidance,
     against those that the network saw."""
     shape = build("mug", "", Draw(torch.Generator().manual_seed(0)))
     cameras = Cameras.orbit([25.0, 130.0], [20.0, 50.0], 2.95)
@@ -60,11 +60,11 @@ def test_the_trained_hint_is_the_surface_that_the_appearance_training_tells():
         shaded = render_shaded(
             UvMesh.of(Mesh(verts, faces, uv, corners)), source, cameras, 128, grey
         )
-    told = surface_picture(shaded, 64)
-    away = (told - trained).abs().mean((0, 2, 3))
+    given = surface_picture(shaded, 64)
+    away = (given - trained).abs().mean((0, 2, 3))
     assert away[:4].max() < 0.03
     assert away[4:].max() < 0.01
-    assert (told[:, 4:] - trained[:, [5, 4, 6]]).abs().mean() > 0.05  # x and y are not swapped
+    assert (given[:, 4:] - trained[:, [5, 4, 6]]).abs().mean() > 0.05  # x and y are not swapped
 
 
 def test_a_ball_is_a_disc_of_the_right_size():
@@ -76,7 +76,7 @@ def test_a_ball_is_a_disc_of_the_right_size():
     torch.testing.assert_close(middle, Cameras.orbit([30.0], [10.0]).back[0], atol=0.01, rtol=0)
 
 
-def test_points_lie_on_the_surface_and_parts_are_the_nearest():
+def test_points_are_on_the_surface_and_parts_are_the_nearest():
     shape = build("snowman", "", Draw(torch.Generator().manual_seed(1)))
     seen = render(shape, Cameras.orbit([0.0], [5.0]), 64)
     full = seen.coverage[0, 0] == 1

@@ -4,9 +4,10 @@ A family is in the file that is named like its noun's theme in ``core/guidance/b
 where that theme is split in two or three, in one of the files that are named like its parts.
 Helpers that several themes use are in ``shared``.
 
-Front is -Y, up is +Z. Everything a picture of 64² shall show is at least about 4 pixels wide: legs,
-handles and walls are thicker than in life. The units are arbitrary; ``families.normalised`` scales.
-A family's solid lies within 1.6 of the z axis along x and y, and within z of -1.6 to 3.2.
+Front is -Y, up is +Z. Everything that a picture of 64² must show is at least about 4 pixels wide:
+legs, handles and walls are thicker than in reality. The units are arbitrary;
+``families.normalised`` scales. A family's solid is within ±1.6 along x and y, and within z from
+-1.6 to 3.2.
 """
 
 from core.prior.things.adventure_props_arms_and_magic import ADVENTURE_PROPS_ARMS_AND_MAGIC

@@ -6,7 +6,7 @@ from core.prior.solids import Solid, box, join, prism, within
 
 
 def box_row(at: Iterable[float], z: float, half: tuple[float, float, float], y: float) -> Solid:
-    """Boxes side by side along x, at the height ``z``, in the plane ``y``."""
+    """Boxes in a row along x, at the height ``z``, in the plane ``y``."""
     return join(*(box((u, y, z), half, 0.02) for u in at))
 
 

@@ -9,7 +9,7 @@ def eyes(apart: float, y: float, z: float, radius: float = 0.095) -> Solid:
 
 
 def cone(low: Vector, radius: float, high: float) -> Solid:
-    """A pointed cone of height ``high`` that stands at ``low``."""
+    """A pointed cone of height ``high`` with its base at ``low``."""
     x, y, z = low
     return lathe([(radius - 0.04, z), (0.02, z + high)], 0.04, (x, y))
 
@@ -21,7 +21,7 @@ def moustache(at: Vector, reach: float) -> Solid:
 
 
 def pointed_beard(at: Vector, radius: float, long: float) -> Solid:
-    """A cone that hangs from the chin."""
+    """A beard: a cone that hangs from the chin."""
     x, y, z = at
     profile = [(0.03, z - long), (radius * 0.72, z - long * 0.42), (radius, z)]
     return lathe(smooth_curve(profile), 0.04, (x, y))

@@ -18,7 +18,7 @@ class Beast:
         self.foot = max(0.13, self.wide * 0.32)
 
     def trunk(self, neck: float) -> Solid:
-        """All but ears, tail and face."""
+        """The body, neck, head and legs, without ears, tail and face."""
         wide, long, y, z = self.wide, self.long, self.y, self.z
         a, b = wide * 0.55, long * 0.66
         body = egg((0, 0, self.belly), (wide, long, wide * 0.95))
@@ -49,11 +49,11 @@ class Beast:
         return both(ball((h * 0.5, self.y - h * 0.78, self.z + h * 0.36), 0.08))
 
     def nose(self, reach: float, size: float = 0.09) -> Solid:
-        """At the muzzle's end."""
+        """A nose at the muzzle's end."""
         return ball((0, self.y - self.head - reach, self.z - 0.03), size)
 
     def tail(self, back: float, up: float, first: float = 0.1, last: float = 0.1) -> Solid:
-        """From the rump, its end ``back`` and ``up`` from there."""
+        """A tail from the rump, whose end is ``back`` and ``up`` from there."""
         y, z = self.long * 0.85, self.belly + self.wide * 0.3
         return taper((0, y, z), (0, y + back, z + up), first, last)
 
@@ -80,12 +80,12 @@ def steed(draw: Draw) -> tuple[Beast, Parts]:
 
 
 def four_legs(wide: float, long: float, high: float, thick: float) -> Solid:
-    """Four, from the height ``high`` to the ground."""
+    """Four legs from the height ``high`` to the ground."""
     return both(taper((wide, long, high), (wide, long, thick), thick * 1.15, thick), 0, 1)
 
 
 def sitting(wide: float, z: float, head: float, arm: float) -> tuple[Solid, Solid, Solid]:
-    """Trunk with head, arms, and legs of a plump beast that sits."""
+    """Trunk with head, arms, and legs of a plump sitting animal."""
     trunk = join(
         egg((0, 0, 0.58), (wide, wide * 0.92, 0.6)), egg((0, 0, z), (head * 1.1, head, head))
     )
@@ -98,7 +98,7 @@ def sitting(wide: float, z: float, head: float, arm: float) -> tuple[Solid, Soli
 
 
 def bulk(draw: Draw, wide: float, long: float, leg: float) -> tuple[float, float, float, Solid]:
-    """Half the width and the length of a heavy beast, its middle's height, trunk and legs."""
+    """A heavy animal's half width, half length, height of the middle, and trunk with legs."""
     wide, long = wide * draw(0.92, 1.08), long * draw(0.92, 1.08)
     z = leg * draw(0.9, 1.1) + wide * 0.9
     a, c, r = wide * 0.56, long * 0.6, wide * 0.34

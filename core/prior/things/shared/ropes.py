@@ -14,13 +14,13 @@ def smooth_bar(stops: list[tuple[float, float, float]], across: bool = False) ->
 
 
 def bent(points: list[tuple[float, float, float]], radii: list[float]) -> Solid:
-    """A rope through the points, as thick as ``radii`` says at each."""
+    """A rope through the points, with a radius for each."""
     pairs = zip(points, points[1:], radii, radii[1:], strict=False)
     return join(*(taper(a, b, r, s) for a, b, r, s in pairs))
 
 
 def arc(radius: float, first: float, last: float, steps: int) -> list[tuple[float, float, float]]:
-    """Points on a circle about the origin in the upright plane of the picture, in degrees."""
+    """Points on a circle about the origin in the plane y = 0, between two angles in degrees."""
     angles = [math.radians(first + (last - first) * k / steps) for k in range(steps + 1)]
     return [(radius * math.cos(a), 0.0, radius * math.sin(a)) for a in angles]
 

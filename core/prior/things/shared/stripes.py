@@ -5,11 +5,11 @@ import math
 from core.prior.solids import Solid, Vector, both, join, lathe, moved, tube, turned
 from core.prior.things.shared.quadruped import Beast
 
-BAND = 0.035  # how far a stripe stands out
+BAND = 0.035  # height of a stripe above the surface
 
 
 def hoop(b: Beast, at: float, half: float) -> Solid:
-    """A stripe about the trunk at the share ``at`` of its length."""
+    """A stripe about the trunk at the fraction ``at`` of its length."""
     y = at * b.long
     profile = []
     for end in (y - half, y, y + half):
@@ -21,12 +21,10 @@ def hoop(b: Beast, at: float, half: float) -> Solid:
 
 
 def cuff(start: Vector, end: Vector, at: float, half: float, radius: float) -> Solid:
-    """A stripe about a round bar at the share ``at`` of its length."""
+    """A stripe about a round bar at the fraction ``at`` of its length."""
     length = math.dist(start, end)
     ends = (at - half / length, at + half / length)
-    low, high = (
-        tuple(s + (e - s) * share for s, e in zip(start, end, strict=True)) for share in ends
-    )
+    low, high = (tuple(s + (e - s) * t for s, e in zip(start, end, strict=True)) for t in ends)
     return tube((low[0], low[1], low[2]), (high[0], high[1], high[2]), radius + BAND)
 
 
@@ -38,6 +36,6 @@ def leg_stripes(b: Beast, *heights: float) -> Solid:
 
 
 def skin_fold(wide: float, long: float, z: float, at: float) -> Solid:
-    """A fold of skin about the trunk at the share ``at`` of its length."""
+    """A fold of skin about the trunk at the fraction ``at`` of its length."""
     r = wide * math.sqrt(1 - at * at) + BAND
     return tube((0, at * long - 0.07, z), (0, at * long + 0.07, z), r, 0.02)

@@ -15,8 +15,10 @@ def ship_hull(x: float, y: float, deck: float, bow: float) -> Solid:
 
 
 def pane(low: Point, high: Point, out: int, half: float) -> Solid:
-    """A pane on a cabin's slanted end, of which the lower and the upper edge are given as (y, z);
-    ``out`` is the side of y that it looks to."""
+    """A pane on a cabin's slanted end, between its lower and its upper edge (y, z).
+
+    ``out``: the side of y that it faces, 1 or -1.
+    """
     (a, b), (c, d) = low, high
     length = math.hypot(c - a, d - b)
     across = (out * (d - b) / length * 0.06, abs(c - a) / length * 0.06)

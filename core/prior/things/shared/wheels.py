@@ -6,7 +6,7 @@ from core.prior.solids import Point, Solid, both, cut, join, tube
 
 
 def wheels(x: float, axles: Iterable[Point], half: float) -> tuple[Solid, Solid]:
-    """Tyres on the floor at both sides, ``x`` from the middle, (y, radius) each; and their hubs."""
+    """Tyres on the floor at ±``x``, one a side for each axle (y, radius); and their hubs."""
     tyres, hubs = [], []
     for y, r in axles:
         hollow = tube((x + half - 0.05, y, r), (x + half + 1, y, r), r * 0.64)
@@ -26,7 +26,7 @@ def disc_wheels(x: float, ys: tuple[float, ...], radius: float, thick: float = 0
 
 
 def rimmed_wheel(x: float, y: float, radius: float, half: float = 0.11) -> tuple[Solid, Solid]:
-    """A tyre on an axle along x, on the floor, its outer side hollow, and the hub in it."""
+    """A tyre on the floor with a hollow outer side, its axle along x; and its hub."""
     face = x + half
     hollow = tube((face - 0.06, y, radius), (face + 1, y, radius), radius * 0.66)
     tyre = cut(tube((x - half, y, radius), (face, y, radius), radius, 0.04), hollow)

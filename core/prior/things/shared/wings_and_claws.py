@@ -13,7 +13,7 @@ def bird_claws(x: float, y: float, z: float, reach: float, thick: float) -> Soli
 
 
 def back_wing(draw: Draw, low: float, tips: list[Vector]) -> Solid:
-    """A right wing behind the back, of the tips (x, z above ``low``, notch after it)."""
+    """A right wing behind the back; ``tips``: (x, z above ``low``, the notch after it)."""
     span, lift = draw(0.92, 1.08), draw(0.92, 1.08)
     corners = [(0.05, low), (0.05, low + 0.55)]
     for u, v, notch in tips:
@@ -35,7 +35,7 @@ def hooked_bill(at: tuple[float, float, float], size: float, long: float) -> Sol
 
 
 def front_toes(x: float, y: float, reach: float, thick: float) -> Solid:
-    """Three to the front."""
+    """Three toes to the front."""
     return join(
         *(capsule((x, y, thick), (x + out, y - reach, thick), thick) for out in (-0.14, 0, 0.14))
     )
