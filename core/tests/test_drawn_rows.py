@@ -8,7 +8,7 @@ import pytest
 import torch
 from scipy import ndimage
 
-from core.guidance.builtin.markings import balls, boards, coats, fronts, prints
+from core.guidance.builtin.markings.forms import lattices, lines, planks, rings, spots
 from core.guidance.builtin.markings.markings import unfit_markings
 from core.guidance.builtin.markings.rows.food_and_plants import YEARS
 from core.guidance.builtin.markings.rows.props_and_arms import SCRIPT
@@ -59,7 +59,7 @@ def runs(marked):
 
 @pytest.mark.parametrize(("count", "axis"), [(4, 2), (7, 2), (6, 0)])
 def test_between_planks_are_seams_of_one_width(count, axis):
-    seams = front(partial(boards.planks, count=count, axis=axis))
+    seams = front(partial(planks.planks, count=count, axis=axis))
     assert pieces(seams) == count - 1
     first = np.flatnonzero(seams.any(1 if axis == 2 else 0))
     places = first[np.flatnonzero(np.diff(first, prepend=-9) > 1)] / CELLS
@@ -68,17 +68,17 @@ def test_between_planks_are_seams_of_one_width(count, axis):
 
 
 def test_a_barrel_has_staves_around_and_boards_across_its_lid():
-    assert runs(around(boards.staves, 0.1)) == 14
+    assert runs(around(planks.staves, 0.1)) == 14
     half = torch.tensor([0.5, 0.5, 0.8])
-    lid = top(boards.staves, half)[CELLS // 2 - 60 : CELLS // 2 + 60, CELLS // 4 : -CELLS // 4]
+    lid = top(planks.staves, half)[CELLS // 2 - 60 : CELLS // 2 + 60, CELLS // 4 : -CELLS // 4]
     assert (lid == lid[0]).all()  # straight
     assert pieces(lid[0]) == 4  # of six those that are so near to the middle
 
 
 def test_frets_are_on_the_front_below_the_head():
-    marks = front(boards.frets)
+    marks = front(planks.frets)
     rows = marks.any(1)
-    assert not front(boards.frets, side=1.0).any()
+    assert not front(planks.frets, side=1.0).any()
     assert not rows[int(0.82 * CELLS) :].any()
     assert pieces(marks) == 10
 
@@ -88,7 +88,7 @@ def test_boards_stand_upright_on_all_four_walls(aside):
     order = [1, 0, 2] if aside else [0, 1, 2]
 
     def turned(points, half):
-        return boards.boarding(points[:, order], half[order])
+        return planks.boarding(points[:, order], half[order])
 
     half = HALF[order] * 0.97
     seams = front(turned, half)
@@ -97,13 +97,13 @@ def test_boards_stand_upright_on_all_four_walls(aside):
 
 
 def test_a_weave_goes_over_and_under():
-    strands = [around(boards.weave, up) for up in (0.05, 0.25)]
+    strands = [around(lattices.weave, up) for up in (0.05, 0.25)]
     assert [runs(one) for one in strands] == [12, 12]
     assert (strands[0] != strands[1]).mean() > 0.98
 
 
 def test_between_strings_are_squares():
-    holes = front(prints.net_gaps)
+    holes = front(lattices.net_gaps)
     assert pieces(holes[40:-40, 40:-40]) > 100
     assert holes.mean() == pytest.approx(0.7**2, abs=0.03)
 
@@ -113,15 +113,15 @@ def test_a_mesh_is_as_fine_on_all_sides_of_its_ball():
     for axis in range(3):
         way = torch.nn.functional.normalize(torch.rand(20000, 3) - 0.5, dim=1)
         near = way[way[:, axis].abs() > 0.8]
-        shares.append((balls.mesh_gaps(near, torch.ones(3)) > 0).float().mean())
+        shares.append((lattices.mesh_gaps(near, torch.ones(3)) > 0).float().mean())
     assert max(shares) - min(shares) < 0.03
     assert shares[0] == pytest.approx(0.6**2, abs=0.04)
 
 
 def test_a_speaker_has_seven_slots_within_its_round():
-    slots = front(prints.slots, torch.tensor([0.4, 0.1, 0.4]))
+    slots = front(lattices.slots, torch.tensor([0.4, 0.1, 0.4]))
     assert pieces(slots) == 7
-    assert not front(prints.slots, torch.tensor([0.4, 0.1, 0.4]), side=1.0).any()
+    assert not front(lattices.slots, torch.tensor([0.4, 0.1, 0.4]), side=1.0).any()
     wide = [row.sum() for row in slots if row.any()]
     assert max(wide) == wide[len(wide) // 2] > 1.5 * wide[0]
 
@@ -129,33 +129,33 @@ def test_a_speaker_has_seven_slots_within_its_round():
 @pytest.mark.parametrize(("up", "count"), [(2, 36), (1, 60)])
 def test_seeds_are_as_many_as_they_say_and_apart(up, count):
     half = torch.tensor([0.5, 0.5, 0.5])
-    seen = (top if up == 2 else front)(partial(coats.seeds, count=count, up=up, size=0.035), half)
+    seen = (top if up == 2 else front)(partial(spots.seeds, count=count, up=up, size=0.035), half)
     assert pieces(seen) == count
     if up == 2:  # none on the lower bun
-        low = partial(coats.seeds, count=count, up=up)
+        low = partial(spots.seeds, count=count, up=up)
         points = torch.rand(5000, 3) - 0.5
         points[:, 2] = -0.4
         assert (low(points, half) < 0).all()
 
 
 def test_a_phone_has_rows_of_four_icons_and_four_below():
-    icons = front(prints.icons, torch.tensor([0.4, 0.05, 0.8]))
+    icons = front(lattices.icons, torch.tensor([0.4, 0.05, 0.8]))
     assert pieces(icons) == 4 * (5 + 1)
     gaps = np.diff(np.flatnonzero(icons.any(1)))
     assert gaps.max() > 3 * np.median(gaps[gaps > 1])  # the lowest row is apart
 
 
 def test_a_scroll_is_written_on_from_above():
-    lines = front(partial(prints.ruled, lines=SCRIPT, ends=(-0.52, 0.5)))
-    assert pieces(lines) == len(SCRIPT) == 7
-    wide = [int(row.sum()) for row in lines if row.any()]
+    script = front(partial(lines.ruled, lines=SCRIPT, ends=(-0.52, 0.5)))
+    assert pieces(script) == len(SCRIPT) == 7
+    wide = [int(row.sum()) for row in script if row.any()]
     assert max(wide) > 1.15 * min(wide)
 
 
 def test_a_stump_has_rings_about_its_middle():
-    rings = top(partial(fronts.rings, spans=YEARS, axis=2), torch.tensor([0.5, 0.5, 0.2]))
-    assert pieces(rings) == len(YEARS)
-    assert pieces(rings[CELLS // 2]) == 2 * len(YEARS)
+    grown = top(partial(rings.rings, spans=YEARS, axis=2), torch.tensor([0.5, 0.5, 0.2]))
+    assert pieces(grown) == len(YEARS)
+    assert pieces(grown[CELLS // 2]) == 2 * len(YEARS)
     assert np.array_equal(rings[CELLS // 2], rings[:, CELLS // 2])
 
 

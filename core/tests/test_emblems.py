@@ -14,11 +14,11 @@ from core.geometry.parts.forms import Forms
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import PromptedBuiltin
-from core.guidance.builtin.markings import drawn as placing
-from core.guidance.builtin.markings import windows
-from core.guidance.builtin.markings.drawn import COLORS, Drawn, differ, drawn_on
+from core.guidance.builtin.markings.emblems import drawn_emblem as placing
+from core.guidance.builtin.markings.emblems import windows
+from core.guidance.builtin.markings.emblems.drawn_emblem import COLORS, Drawn, differ, drawn_on
+from core.guidance.builtin.markings.emblems.windows import WAYS, Window, largest_square, window_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
-from core.guidance.builtin.markings.windows import WAYS, Window, largest_square, window_on
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.words.emblems import (
     ALSO_THINGS,

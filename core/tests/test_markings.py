@@ -17,15 +17,10 @@ from core.geometry.parts import pieces
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import GEOMETRY_SLOTS
-from core.guidance.builtin.markings import balls, fronts, prints
-from core.guidance.builtin.markings.balls import number_on, pentagons, pips
-from core.guidance.builtin.markings.coats import FORE, HIND
+from core.guidance.builtin.markings.forms import balls, cubes, faces, stripes, tiles, wings
+from core.guidance.builtin.markings.forms.lettering import number_on
 from core.guidance.builtin.markings.margins import within
-from core.guidance.builtin.markings.markings import (
-    Marked,
-    has_markings,
-    is_marking,
-)
+from core.guidance.builtin.markings.markings import Marked, has_markings, is_marking
 from core.guidance.builtin.markings.rows.tools_toys_and_instruments import STICKERS
 from core.guidance.builtin.markings.stencils import land, lettering, text_size
 from core.guidance.builtin.markings.table import MARKINGS
@@ -76,7 +71,7 @@ def test_markings_are_parts_that_lie_on_a_part_with_a_solid(noun):
 
 
 # They are where a head is, and not on any ball.
-SPOTS = [(n, p) for n, p in EACH if getattr(MARKINGS[n][p].marks, "func", None) is fronts.spots]
+SPOTS = [(n, p) for n, p in EACH if getattr(MARKINGS[n][p].marks, "func", None) is faces.round_eyes]
 
 
 @pytest.mark.parametrize(("noun", "part"), [each for each in EACH if each not in SPOTS])
@@ -147,7 +142,7 @@ def test_a_dies_opposite_faces_add_to_seven():
     counts = {}
     for axis in range(3):
         for side in (-1, 1):
-            inside = pips(on_a_face(axis, side, 120), UNIT).view(120, 120) > 0
+            inside = cubes.pips(on_a_face(axis, side, 120), UNIT).view(120, 120) > 0
             counts[axis, side] = ndimage.label(inside.numpy())[1]
             assert not inside[:8].any() and not inside[:, :8].any(), "over the edge"
     assert sorted(counts.values()) == [1, 2, 3, 4, 5, 6]
@@ -156,7 +151,7 @@ def test_a_dies_opposite_faces_add_to_seven():
 
 def test_a_football_has_twelve_pentagons_that_are_apart():
     points = on_a_ball(40000)
-    dark = points[pentagons(points, UNIT) > 0].numpy()
+    dark = points[balls.pentagons(points, UNIT) > 0].numpy()
     near = cKDTree(dark).query_pairs(0.04, output_type="ndarray")
     graph = coo_matrix((np.ones(len(near)), near.T), shape=(len(dark), len(dark)))
     count, own = connected_components(graph, directed=False)
@@ -304,7 +299,7 @@ def test_a_butterflys_wings_mirror_one_another_and_have_dark_edges():
     names = seen("butterfly", points, on="edges")
     assert names == seen("butterfly", points * torch.tensor([-1.0, 1, 1]), on="edges")
     assert {"wings", "edges", "dots"} == set(names)
-    outlines = [torch.tensor(line) for line in (FORE[2:9], HIND[3:9])]
+    outlines = [torch.tensor(line) for line in (wings.FORE[2:9], wings.HIND[3:9])]
     border = torch.cat([torch.cat([line, line[:, :1] * 0], 1) for line in outlines])
     assert set(seen("butterfly", border, on="edges")) <= {"edges", "dots"}
 
@@ -371,7 +366,7 @@ def test_an_areas_border_is_as_sharp_as_the_marking(football):
     _, areas, (low, high) = football
     half, middle = (high - low) / 2, (high + low) / 2
     points = middle + half * on_a_ball(20000)
-    margin = pentagons(points - middle, half)
+    margin = balls.pentagons(points - middle, half)
     dark = areas.of(points) == list(looks("soccer ball")).index("patches")
     near = margin.abs() < 0.02
     assert (near & (margin > 0)).sum() > 100 and (near & (margin < 0)).sum() > 100
@@ -415,16 +410,16 @@ def test_cells_lie_on_the_upper_side_of_a_leaning_panel():
     half = torch.tensor([0.9, 0.4, 0.3])
     line = torch.tensor([[0.15, 0.1, 0.1 * 0.3 / 0.4]])  # in the panel's plane, within a cell
     out = torch.tensor([[0.0, -0.3, 0.4]]) * 0.1
-    assert prints.solar_cells(line + out, half) > 0 > prints.solar_cells(line - out, half)
+    assert tiles.solar_cells(line + out, half) > 0 > tiles.solar_cells(line - out, half)
 
 
 def test_a_popcorn_box_has_no_stripes_around_its_badge():
     half = torch.full((3,), 0.5)
     front = torch.tensor([[x, -0.5, 0.0] for x in torch.linspace(-0.1, 0.1, 41).tolist()])
-    assert (prints.popcorn_stripes(front, half, 0.48) <= 0).all()
-    assert (prints.popcorn_stripes(front, half, 0.0) > 0).any()
+    assert (stripes.popcorn_stripes(front, half, 0.48) <= 0).all()
+    assert (stripes.popcorn_stripes(front, half, 0.0) > 0).any()
     back = front * torch.tensor([1.0, -1.0, 1.0])
-    assert (prints.popcorn_stripes(back, half, 0.48) > 0).any()
+    assert (stripes.popcorn_stripes(back, half, 0.48) > 0).any()
 
 
 def test_a_mark_at_the_top_is_about_the_upper_balls_middle():

@@ -5,9 +5,9 @@ import torch
 
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.forms import Forms
-from core.guidance.builtin.markings.drawn import alike
-from core.guidance.builtin.markings.scattered import APART, FEWEST, HALF, scattered_on
-from core.guidance.builtin.markings.windows import surface_places
+from core.guidance.builtin.markings.emblems.drawn_emblem import alike
+from core.guidance.builtin.markings.emblems.scattered import APART, FEWEST, HALF, scattered_on
+from core.guidance.builtin.markings.emblems.windows import surface_places
 from core.guidance.builtin.words.vocabulary import parse
 from core.tests.drawn_things import shipped_prior
 

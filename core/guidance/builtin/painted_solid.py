@@ -13,7 +13,7 @@ from core.geometry.parts.forms import Forms
 from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
-from core.guidance.builtin.markings.drawn import Drawn, drawn_on
+from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     NUMBER,

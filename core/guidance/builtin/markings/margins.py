@@ -4,7 +4,7 @@ A marking is given by its margin: how far inside it a place is, negative outside
 It is a function of places from the middle of what bears it, and of half of that part's extent.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 
 import torch
 from jaxtyping import Float
@@ -13,6 +13,9 @@ from torch import Tensor
 Points = Float[Tensor, "p 3"]
 Half = Float[Tensor, " 3"]
 Margin = Float[Tensor, " p"]
+Spans = Sequence[tuple[float, float]]
+Way = tuple[float, float, float]
+UP = (0.0, 0.0, 1.0)
 Marks = Callable[[Points, Half], Margin]
 
 
@@ -48,29 +51,7 @@ def strokes(at: Float[Tensor, "p 2"], places: Float[Tensor, "c 2"], wide: float)
     return wide - (off - share[..., None] * way).norm(dim=2).amin(1)
 
 
-def chance(cell: Float[Tensor, "p 3"], which: int) -> Float[Tensor, " p"]:
-    """A number in [0, 1) that depends on the cell alone; ``which`` of many."""
-    mixed = cell @ cell.new_tensor([12.9898, 78.233, 37.719]) + 4.7 * which
-    return (mixed.sin() * 43758.5453).remainder(1)
-
-
-def cells_around(points: Points, pitch: float) -> Iterator[Float[Tensor, "p 3"]]:
-    """The cells of a lattice next to each place's, and its own: 27, one by one."""
-    own = (points / pitch).floor()
-    for step in torch.cartesian_prod(*[torch.arange(-1, 2)] * 3).to(points):
-        yield own + step
-
-
-def blobs(
-    points: Points, _half: Half, pitch: float, sizes: tuple[float, float], share: float
-) -> Margin:
-    """Round spots scattered about: on a lattice of ``pitch``, moved by up to a third of that, each
-    there by chance; the same on every object."""
-    margin = torch.full_like(points[:, 0], -pitch)
-    for cell in cells_around(points, pitch):
-        moved = torch.stack([chance(cell, k) for k in range(3)], 1) - 0.5
-        middle = (cell + 0.5 + 0.66 * moved) * pitch
-        size = sizes[0] + (sizes[1] - sizes[0]) * chance(cell, 3)
-        spot = size - (points - middle).norm(dim=1)
-        margin = torch.where(chance(cell, 4) < share, torch.maximum(margin, spot), margin)
-    return margin
+def unit(points: Points, way: Way) -> Tensor:
+    """As long as one."""
+    found = points.new_tensor(way)
+    return found / found.norm()

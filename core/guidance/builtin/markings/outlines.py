@@ -179,3 +179,54 @@ def _painted(at: At, half: Sides, outlines: Sequence[Outline]) -> Margin:
         own = outline.margin(at, half)
         margin = torch.minimum(margin, -own) if outline.gap else torch.maximum(margin, own)
     return margin
+
+
+NUMBER = "F3D"  # on number plates
+
+
+def number_plate(up: float, wide: float = 0.27, high: float = 0.13) -> tuple[Outline, ...]:
+    """A number plate, its number left out."""
+    letters = Emblem((0, up), high * 0.62, text=NUMBER, gap=True)
+    return Plate((0, up), (wide, high), 0.3), letters
+
+
+def on_all_sides(*outlines: Outline) -> dict[str, tuple[Outline, ...]]:
+    """The same on all four walls."""
+    return dict.fromkeys(("front", "back", "sides"), outlines)
+
+
+def hazard(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
+    """A band of slanted stripes, every other one left out."""
+    (x, y), (u, v), step = at, size, 2 * size[0] / count
+    gaps = (
+        Poly(
+            ((a, y - v), (a + step / 2, y - v), (a + step, y + v), (a + step / 2, y + v)), gap=True
+        )
+        for a in (x - u + k * step for k in range(count))
+    )
+    return (Plate(at, size), *gaps)
+
+
+def slanted_bars(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
+    """Slanted bars side by side."""
+    (x, y), (u, v), step = at, size, 2 * size[0] / count
+    starts = (x - u + (k + 0.1) * step for k in range(count))
+    return tuple(
+        Poly(((a, y - v), (a + 0.45 * step, y - v), (a + 0.9 * step, y + v),
+              (a + 0.45 * step, y + v)))
+        for a in starts
+    )  # fmt: skip
+
+
+def sprite(rows: Sequence[str], at: Pair, pixel: Pair) -> tuple[Outline, ...]:
+    """A picture of squares, the runs of each row as one; ``pixel``: its half sides."""
+    found = []
+    for k, row in enumerate(rows):
+        up = at[1] + (len(rows) - 1 - 2 * k) * pixel[1]
+        begin = 0
+        while (begin := row.find("X", begin)) >= 0:
+            end = len(row[begin:]) - len(row[begin:].lstrip("X"))
+            aside = at[0] + (2 * begin + end - len(row)) * pixel[0]
+            found.append(Plate((aside, up), (end * pixel[0] * 1.02, pixel[1] * 1.02)))
+            begin += end
+    return tuple(found)

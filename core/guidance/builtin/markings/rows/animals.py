@@ -2,22 +2,34 @@
 
 from functools import partial
 
-from core.guidance.builtin.markings import coats, creatures, figures, fronts, outlines, wares
-from core.guidance.builtin.markings.features import (
+from core.guidance.builtin.markings import outlines
+from core.guidance.builtin.markings.forms import (
+    badges,
+    bands,
+    faces,
+    lines,
+    rings,
+    scales,
+    spots,
+    stripes,
+    studs,
+    wings,
+)
+from core.guidance.builtin.markings.marking import Marking, Rows
+from core.guidance.builtin.markings.outlines import Plate
+from core.guidance.builtin.markings.rows.creature_parts import (
     GLINTS,
     MUZZLED,
     bars,
+    face_lines,
+    face_spots,
     feathers,
-    lines,
     mottled,
     mouth,
     pupils,
-    spots,
     wing_lines,
 )
-from core.guidance.builtin.markings.margins import blobs
-from core.guidance.builtin.markings.marking import Marking, Rows
-from core.guidance.builtin.markings.outlines import Plate
+from core.guidance.builtin.markings.rows.outlines import animals as own
 
 SNAKE_PUPIL = (Plate((-1.14, 1.09), (0.12, 0.18), 1.0),)  # their middle is not the body's
 BEE_VEINS = tuple(((-0.9, 0.0), end) for end in ((0.8, 0.1), (0.4, -0.7), (0.2, 0.6)))
@@ -39,21 +51,21 @@ PHOENIX_QUILLS = (
 BREATHS = [(0.1 + 0.07 * k, up) for k in range(2) for up in (0.44, 0.4)]
 WHISKERS = [(0.5, 0.2), (0.66, -0.2), (0.42, -0.35)]
 NAILS = [(0.36, -0.92), (0.56, -0.95), (0.76, -0.92)]
-SNOWMAN = figures.Face(share=0.535)
+SNOWMAN = faces.Face(share=0.535)
 ANIMALS: Rows = {
     **dict.fromkeys(("dog", "fox", "lion"), MUZZLED),
     "cat": {
-        "whiskers": Marking("muzzle", partial(figures.dots, places=WHISKERS, size=0.075, both=True))
+        "whiskers": Marking("muzzle", partial(studs.dots, places=WHISKERS, size=0.075, both=True))
     },
     "rabbit": {
-        "ears": Marking("body", partial(figures.patches, at=(0.35, 0.62), size=(0.1, 0.24))),
+        "ears": Marking("body", partial(spots.ovals, at=(0.35, 0.62), size=(0.1, 0.24))),
         "belly": Marking(
-            "body", partial(figures.patches, at=(0.0, -0.42), size=(0.46, 0.3), both=False)
+            "body", partial(spots.ovals, at=(0.0, -0.42), size=(0.46, 0.3), both=False)
         ),
     },
     "mouse": {
         **GLINTS,
-        "whiskers": lines(
+        "whiskers": face_lines(
             "body",
             *(((-3.2, -4.1 + 0.5 * k), (-1.2, -4.2 + 1.1 * k)) for k in (-1, 0, 1)),
             side=True,
@@ -62,72 +74,82 @@ ANIMALS: Rows = {
     },
     "horse": {
         **GLINTS,
-        "nostrils": spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
-        "mouth": lines("body", ((-9.0, -5.8), (-4.6, -5.8), (-3.2, -5.2)), side=True, wide=0.2),
-        "blaze": spots("body", (-3.0, -3.5, -0.4), sizes=(0.8, 3.0, 2.4)),
+        "nostrils": face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
+        "mouth": face_lines(
+            "body", ((-9.0, -5.8), (-4.6, -5.8), (-3.2, -5.2)), side=True, wide=0.2
+        ),
+        "blaze": face_spots("body", (-3.0, -3.5, -0.4), sizes=(0.8, 3.0, 2.4)),
     },
     "donkey": {
         **GLINTS,
-        "ears": spots("body", (0.3, 1.8, 5.6), sizes=(0.9, 1.2, 2.6)),
+        "ears": face_spots("body", (0.3, 1.8, 5.6), sizes=(0.9, 1.2, 2.6)),
     },
     "cow": {
-        "patches": Marking("body", partial(blobs, pitch=0.42, sizes=(0.1, 0.24), share=0.55)),
+        "patches": Marking("body", partial(spots.blobs, pitch=0.42, sizes=(0.1, 0.24), share=0.55)),
         "nostrils": Marking(
-            "muzzle", partial(figures.dots, places=[(0.4, 0.05)], size=0.12, both=True)
+            "muzzle", partial(studs.dots, places=[(0.4, 0.05)], size=0.12, both=True)
         ),
     },
-    "sheep": {**pupils(0.5, 0.5, (0.2, -1.0, 0.0)), "curls": Marking("wool", creatures.curls)},
+    "sheep": {**pupils(0.5, 0.5, (0.2, -1.0, 0.0)), "curls": Marking("wool", scales.curls)},
     "pig": {
         **GLINTS,
-        "ears": spots("body", (1.4, 3.0, 3.4), sizes=(0.9, 1.5, 1.7)),
+        "ears": face_spots("body", (1.4, 3.0, 3.4), sizes=(0.9, 1.5, 1.7)),
         "nostrils": Marking(
-            "snout", partial(figures.dots, places=[(0.36, 0.0)], size=0.2, both=True)
+            "snout", partial(studs.dots, places=[(0.36, 0.0)], size=0.2, both=True)
         ),
     },
     "chicken": feathers(),
     # A solid has seven parts at most that are drawn; this is the eighth.
-    "rooster": {"eyes": Marking("neck", partial(fronts.spots, at=(0.11, 0.2, 0.12), radius=0.06))},
+    "rooster": {
+        "eyes": Marking("neck", partial(faces.round_eyes, at=(0.11, 0.2, 0.12), radius=0.06))
+    },
     "duck": feathers() | GLINTS,
     "goose": feathers() | GLINTS,
     # A solid has seven parts at most that are drawn; this is the eighth.
-    "turkey": {"eyes": Marking("head", partial(fronts.spots, at=(0.12, 0.12, 0.15), radius=0.06))},
+    "turkey": {
+        "eyes": Marking("head", partial(faces.round_eyes, at=(0.12, 0.12, 0.15), radius=0.06))
+    },
     "wolf": {
         **GLINTS,
         **MUZZLED,
-        "ears": spots("body", (0.85, 3.2, 4.2), sizes=(0.8, 1.6, 1.9)),
+        "ears": face_spots("body", (0.85, 3.2, 4.2), sizes=(0.8, 1.6, 1.9)),
     },
-    "bear": {**GLINTS, **MUZZLED, "ears": spots("body", (1.4, 2.4, 2.5), sizes=(1.2, 1.6, 1.2))},
-    "deer": {"spots": Marking("body", creatures.dapples)},
+    "bear": {
+        **GLINTS,
+        **MUZZLED,
+        "ears": face_spots("body", (1.4, 2.4, 2.5), sizes=(1.2, 1.6, 1.2)),
+    },
+    "deer": {"spots": Marking("body", spots.dapples)},
     "elephant": {
-        "nails": Marking("body", partial(figures.dots, places=NAILS, size=0.085, both=True))
+        "nails": Marking("body", partial(studs.dots, places=NAILS, size=0.085, both=True))
     },
-    "giraffe": {"patches": Marking("body", partial(coats.patches, pitch=0.26, line=0.05))},
+    "giraffe": {"patches": Marking("body", partial(spots.cells, pitch=0.26, line=0.05))},
     "monkey": {
         **GLINTS,
-        "nostrils": spots("face", (-1.4, 0.0, -2.4), sizes=(0.35, 2.5, 0.3)),
-        "mouth": lines("face", ((0.6, -3.4), (-0.4, -4.1), (-2.0, -4.4), (-9.0, -4.4)), wide=0.24),
+        "nostrils": face_spots("face", (-1.4, 0.0, -2.4), sizes=(0.35, 2.5, 0.3)),
+        "mouth": face_lines(
+            "face", ((0.6, -3.4), (-0.4, -4.1), (-2.0, -4.4), (-9.0, -4.4)), wide=0.24
+        ),
     },
     "bird": feathers() | GLINTS,
     "owl": {
-        "feathers": Marking(
-            "wings", partial(creatures.plumage, way=(0.0, 0.35, -1.0)), paired=True
-        ),
-        "bars": Marking("belly", creatures.chest),
+        "feathers": Marking("wings", partial(scales.plumage, way=(0.0, 0.35, -1.0)), paired=True),
+        "bars": Marking("belly", scales.chest_marks),
     },
     "penguin": {**GLINTS},
     "whale": {
         **GLINTS,
-        "grooves": Marking("belly", partial(creatures.throat, count=9)),
+        "grooves": Marking("belly", partial(lines.throat, count=9)),
     },
     "dolphin": {
         **GLINTS,
-        "mouth": lines(
+        "mouth": face_lines(
             "body", ((-6.5, -6.2), (-3.4, -3.6), (-1.2, -2.7), (-0.4, -2.0)), side=True, wide=0.16
         ),
     },
     "shark": {
         **GLINTS,
-        "gills": lines(
+        "gills": face_lines(
             "body",
             *(
                 ((4.2 + 1.2 * k, 0.4), (4.6 + 1.2 * k, -1.0), (4.2 + 1.2 * k, -2.6))
@@ -137,60 +159,62 @@ ANIMALS: Rows = {
             wide=0.24,
         ),
     },
-    "fish": {"scales": Marking("body", figures.scales)},
+    "fish": {"scales": Marking("body", scales.fish_scales)},
     "octopus": {
-        "mouth": lines("body", ((-0.9, -1.2), (-1.3, -1.5), (-9.0, -1.6)), wide=0.17, until=1.5),
+        "mouth": face_lines(
+            "body", ((-0.9, -1.2), (-1.3, -1.5), (-9.0, -1.6)), wide=0.17, until=1.5
+        ),
         "spots": mottled("body", 0.22, 0.04, 0.07, 0.7),
     },
     "crab": {**GLINTS, "spots": mottled("body", 0.2, 0.03, 0.05, 0.8)},
     "turtle": {
         **GLINTS,
-        "mouth": lines("body", ((-9.0, -2.4), (-0.6, -2.2), (0.8, -1.6)), side=True, wide=0.2),
+        "mouth": face_lines("body", ((-9.0, -2.4), (-0.6, -2.2), (0.8, -1.6)), side=True, wide=0.2),
         "spots": mottled("body", 0.15, 0.02, 0.035, 0.7),
     },
     "frog": {
-        "glints": Marking("pupils", creatures.glints, paired=True),
+        "glints": Marking("pupils", faces.eye_glints, paired=True),
         "spots": mottled("body", 0.2, 0.04, 0.065, 0.7),
-        "nostrils": spots("body", (-1.6, -0.8, -1.6), sizes=(0.28, 0.9, 0.22)),
+        "nostrils": face_spots("body", (-1.6, -0.8, -1.6), sizes=(0.28, 0.9, 0.22)),
     },
     "snake": {
         "pupils": Marking("eyes", partial(outlines.laid, sides=SNAKE_PUPIL, aside=0.3), by="belly"),
         "grooves": bars("belly", way=(0.0, 0.0, 1.0), pitch=0.08),
-        "bands": Marking("body", creatures.coils),
+        "bands": Marking("body", stripes.snake_bands),
     },
-    "snail": {**GLINTS, "whorl": Marking("shell", creatures.whorl)},
-    "spider": {**pupils(0.4, 0.4), "cross": Marking("body", creatures.spider_mark)},
+    "snail": {**GLINTS, "whorl": Marking("shell", rings.whorl)},
+    "spider": {**pupils(0.4, 0.4), "cross": Marking("body", badges.spider_mark)},
     "bee": {
         **pupils(0.45, 0.55, (0.5, -0.9, 0.1)),
         "veins": wing_lines("wings", *BEE_VEINS, axes=(0, 1)),
     },
     "butterfly": {
-        "dots": Marking("edges", coats.wing_dots),
-        "wings": Marking("edges", coats.wing_cells),
+        "dots": Marking("edges", wings.wing_dots),
+        "wings": Marking("edges", wings.wing_cells),
     },
     "person": mouth(-0.7, 0.22),
     "knight": {
-        "belt": Marking("armour", partial(figures.hoop, at=-0.2, wide=0.035, within=0.42)),
-        "breaths": Marking("armour", partial(figures.dots, places=BREATHS, size=0.02, both=True)),
+        "belt": Marking("armour", partial(bands.hoop, at=-0.2, wide=0.035, within=0.42)),
+        "breaths": Marking("armour", partial(studs.dots, places=BREATHS, size=0.02, both=True)),
     },
     "teddy bear": {
-        "mouth": Marking("muzzle", partial(outlines.laid, **wares.TEDDY_MOUTH), by="body"),
-        "paws": Marking("muzzle", partial(outlines.laid, **wares.TEDDY_PAWS), by="body"),
-        "stitches": Marking("muzzle", partial(outlines.laid, **wares.TEDDY_STITCHES), by="body"),
-        "inner ears": Marking("body", partial(outlines.laid, **wares.TEDDY_EARS)),
+        "mouth": Marking("muzzle", partial(outlines.laid, **own.TEDDY_MOUTH), by="body"),
+        "paws": Marking("muzzle", partial(outlines.laid, **own.TEDDY_PAWS), by="body"),
+        "stitches": Marking("muzzle", partial(outlines.laid, **own.TEDDY_STITCHES), by="body"),
+        "inner ears": Marking("body", partial(outlines.laid, **own.TEDDY_EARS)),
     },
     "snowman": {
         "cheeks": Marking(
-            "body", partial(figures.ovals, at=(0.6, -0.08), size=(0.17, 0.13), face=SNOWMAN)
+            "body", partial(faces.ovals, at=(0.6, -0.08), size=(0.17, 0.13), face=SNOWMAN)
         ),
-        "ribbon": Marking("hat", partial(figures.hoop, at=-0.45, wide=0.2, within=0.72)),
+        "ribbon": Marking("hat", partial(bands.hoop, at=-0.45, wide=0.2, within=0.72)),
     },
-    "ghost": {**GLINTS, "cheeks": spots("body", (0.9, 0.0, -1.7), sizes=(0.55, 2.5, 0.38))},
+    "ghost": {**GLINTS, "cheeks": face_spots("body", (0.9, 0.0, -1.7), sizes=(0.55, 2.5, 0.38))},
     "alien": GLINTS,
     "unicorn": {
         **GLINTS,
-        "nostrils": spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
-        "twist": Marking("horn", partial(creatures.twist, way=(0.0, -0.35, 1.0))),
+        "nostrils": face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
+        "twist": Marking("horn", partial(scales.twist, way=(0.0, -0.35, 1.0))),
     },
     "dragon": {
         "ribs": wing_lines("wings", *DRAGON_BONES, wide=0.024),
@@ -198,49 +222,57 @@ ANIMALS: Rows = {
     },
     "dinosaur": {
         **GLINTS,
-        "stripes": Marking("body", creatures.stripes),
-        "nostrils": spots("body", (-1.0, -5.0, 1.0), sizes=(0.5, 1.0, 0.4)),
+        "stripes": Marking("body", stripes.back_stripes),
+        "nostrils": face_spots("body", (-1.0, -5.0, 1.0), sizes=(0.5, 1.0, 0.4)),
     },
     "clownfish": {
-        "bands": Marking("body", partial(coats.fish_bands, wide=0.08)),
-        "edges": Marking("body", partial(coats.fish_bands, wide=0.115)),
+        "bands": Marking("body", partial(stripes.fish_bands, wide=0.08)),
+        "edges": Marking("body", partial(stripes.fish_bands, wide=0.115)),
     },
-    "koi": {"patches": Marking("body", partial(blobs, pitch=0.36, sizes=(0.1, 0.22), share=0.75))},
+    "koi": {
+        "patches": Marking("body", partial(spots.blobs, pitch=0.36, sizes=(0.1, 0.22), share=0.75))
+    },
     "stingray": {
-        "patches": Marking("body", partial(blobs, pitch=0.17, sizes=(0.025, 0.055), share=0.8))
+        "patches": Marking(
+            "body", partial(spots.blobs, pitch=0.17, sizes=(0.025, 0.055), share=0.8)
+        )
     },
     "lobster": {**GLINTS, "bands": bars("tail", way=(0.0, 1.0, 0.0), pitch=0.13, wide=0.016)},
-    "tiger": {"stripes": Marking("body", partial(coats.flames, pitch=0.2))},
+    "tiger": {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.2))},
     "leopard": {
-        "spots": Marking("body", partial(blobs, pitch=0.15, sizes=(0.03, 0.055), share=0.9))
+        "spots": Marking("body", partial(spots.blobs, pitch=0.15, sizes=(0.03, 0.055), share=0.9))
     },
-    "zebra": {"stripes": Marking("body", partial(coats.hoops, pitch=0.2))},
+    "zebra": {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.2))},
     "rhino": {
         **GLINTS,
-        "nostrils": spots("body", (-2.3, -6.9, -3.4), sizes=(0.5, 1.4, 0.5)),
-        "mouth": lines("body", ((-12.0, -5.4), (-5.4, -5.6), (-4.0, -5.0)), side=True, wide=0.22),
+        "nostrils": face_spots("body", (-2.3, -6.9, -3.4), sizes=(0.5, 1.4, 0.5)),
+        "mouth": face_lines(
+            "body", ((-12.0, -5.4), (-5.4, -5.6), (-4.0, -5.0)), side=True, wide=0.22
+        ),
     },
     "camel": {
         **GLINTS,
         **MUZZLED,
         "nostrils": Marking(
-            "muzzle", partial(figures.dots, places=[(0.4, 0.25)], size=0.14, both=True)
+            "muzzle", partial(studs.dots, places=[(0.4, 0.25)], size=0.14, both=True)
         ),
     },
     "goat": {
         **GLINTS,
-        "mouth": lines("body", ((-9.0, -5.0), (-4.4, -5.0), (-3.4, -4.6)), side=True, wide=0.2),
+        "mouth": face_lines(
+            "body", ((-9.0, -5.0), (-4.4, -5.0), (-3.4, -4.6)), side=True, wide=0.2
+        ),
     },
     "panda": pupils() | MUZZLED,
     "gorilla": {
         **GLINTS,
-        "mouth": lines("face", ((0.4, -3.7), (-0.6, -3.3), (-9.0, -3.25)), wide=0.25),
+        "mouth": face_lines("face", ((0.4, -3.7), (-0.6, -3.3), (-9.0, -3.25)), wide=0.25),
     },
     "dalmatian": {
-        "spots": Marking("body", partial(blobs, pitch=0.2, sizes=(0.025, 0.075), share=0.85))
+        "spots": Marking("body", partial(spots.blobs, pitch=0.2, sizes=(0.025, 0.075), share=0.85))
     },
-    "skunk": {"stripe": Marking("body", partial(coats.ridge, wide=0.2))},
-    "squirrel": {**GLINTS, "ears": spots("body", (0.0, 2.4, 3.7), sizes=(0.8, 1.3, 1.6))},
+    "skunk": {"stripe": Marking("body", partial(bands.ridge, wide=0.2))},
+    "squirrel": {**GLINTS, "ears": face_spots("body", (0.0, 2.4, 3.7), sizes=(0.8, 1.3, 1.6))},
     "bat": pupils(0.3, 0.7),
     "swan": feathers() | GLINTS,
     "peacock": GLINTS,
@@ -248,13 +280,13 @@ ANIMALS: Rows = {
     "eagle": {**GLINTS, "feathers": wing_lines("wings", *EAGLE_QUILLS)},
     "crocodile": {
         **pupils(0.32, 0.74, (0.9, -0.6, 0.2)),
-        "grooves": Marking("body", creatures.hide),
+        "grooves": Marking("body", scales.hide),
     },
     "lizard": {
         "spots": mottled("body", 0.13, 0.026, 0.045, 0.9),
-        "glints": Marking("pupils", creatures.glints, paired=True),
+        "glints": Marking("pupils", faces.eye_glints, paired=True),
     },
     "ant": {**GLINTS, "bands": bars("body", way=(0.0, 1.0, 0.0), pitch=0.11, span=(0.25, 9.0))},
-    "ladybug": {"patches": Marking("shell", coats.wing_cases)},
+    "ladybug": {"patches": Marking("shell", wings.wing_cases)},
     "phoenix": {**GLINTS, "feathers": wing_lines("wings", *PHOENIX_QUILLS)},
 }

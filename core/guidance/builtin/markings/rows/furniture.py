@@ -2,110 +2,108 @@
 
 from functools import partial
 
-from core.guidance.builtin.markings import (
-    boards,
-    craft,
-    decor,
-    facades,
-    fittings,
-    fronts,
-    homely,
-    outlines,
+from core.guidance.builtin.markings import outlines
+from core.guidance.builtin.markings.forms import (
+    bands,
+    dials,
+    frames,
+    lines,
+    pictures,
+    planks,
+    seams,
+    tiles,
 )
 from core.guidance.builtin.markings.marking import Marking, Rows
+from core.guidance.builtin.markings.rows.outlines import furniture as own
 
 FURNITURE: Rows = {
     "chair": {
-        "seams": Marking("seat", partial(outlines.laid, **homely.CHAIR_SEAMS), "wooden"),
+        "seams": Marking("seat", partial(outlines.laid, **own.CHAIR_SEAMS), "wooden"),
     },
     "armchair": {
-        "buttons": Marking("back", partial(outlines.laid, **fittings.CHAIR_BUTTONS)),
-        "piping": Marking("arms", partial(outlines.laid, **fittings.ARM_PIPING), paired=True),
+        "buttons": Marking("back", partial(outlines.laid, **own.CHAIR_BUTTONS)),
+        "piping": Marking("arms", partial(outlines.laid, **own.ARM_PIPING), paired=True),
     },
-    "office chair": {"seams": Marking("back", partial(outlines.laid, **decor.BACK_SEAMS))},
-    "gaming chair": {"badge": Marking("seat", partial(outlines.laid, **decor.CHAIR_BADGE))},
+    "office chair": {"seams": Marking("back", partial(outlines.laid, **own.BACK_SEAMS))},
+    "gaming chair": {"badge": Marking("seat", partial(outlines.laid, **own.CHAIR_BADGE))},
     "throne": {
-        "buttons": Marking("cushion", partial(outlines.laid, **homely.THRONE_BUTTONS)),
-        "gems": Marking("frame", partial(outlines.laid, **homely.THRONE_GEMS)),
-        "panels": Marking("frame", partial(outlines.laid, **homely.THRONE_PANELS)),
-        "border": Marking("step", partial(outlines.laid, **homely.THRONE_STEP)),
+        "buttons": Marking("cushion", partial(outlines.laid, **own.THRONE_BUTTONS)),
+        "gems": Marking("frame", partial(outlines.laid, **own.THRONE_GEMS)),
+        "panels": Marking("frame", partial(outlines.laid, **own.THRONE_PANELS)),
+        "border": Marking("step", partial(outlines.laid, **own.THRONE_STEP)),
     },
     "sofa": {
-        "buttons": Marking("back", partial(outlines.laid, **fittings.SOFA_BUTTONS)),
-        "piping": Marking("arms", partial(outlines.laid, **fittings.ARM_PIPING), paired=True),
+        "buttons": Marking("back", partial(outlines.laid, **own.SOFA_BUTTONS)),
+        "piping": Marking("arms", partial(outlines.laid, **own.ARM_PIPING), paired=True),
     },
     "stool": {
-        "band": Marking("seat", partial(fronts.belt, low=-0.55, high=0.05)),
-        "seams": Marking("seat", partial(outlines.laid, **homely.CHAIR_SEAMS), "wooden"),
+        "band": Marking("seat", partial(bands.belt, low=-0.55, high=0.05)),
+        "seams": Marking("seat", partial(outlines.laid, **own.CHAIR_SEAMS), "wooden"),
     },
     "bench": {
-        "bolts": Marking("seat", partial(outlines.laid, **decor.BENCH_BOLTS)),
-        "seams": Marking("seat", partial(outlines.laid, **decor.BENCH_SEAMS), "wooden"),
+        "bolts": Marking("seat", partial(outlines.laid, **own.BENCH_BOLTS)),
+        "seams": Marking("seat", partial(outlines.laid, **own.BENCH_SEAMS), "wooden"),
     },
     "ottoman": {
-        "nails": Marking("base", partial(outlines.laid, **homely.OTTOMAN_NAILS)),
-        "piping": Marking("cushion", partial(fronts.belt, low=-0.5, high=-0.2)),
+        "nails": Marking("base", partial(outlines.laid, **own.OTTOMAN_NAILS)),
+        "piping": Marking("cushion", partial(bands.belt, low=-0.5, high=-0.2)),
     },
     "bed": {
-        "stripes": Marking(
-            "blanket", partial(fronts.belts, spans=fittings.BLANKET_STRIPES, axis=1)
-        ),
-        "panels": Marking("frame", partial(outlines.laid, **fittings.BED_PANELS)),
+        "stripes": Marking("blanket", partial(bands.belts, spans=own.BLANKET_STRIPES, axis=1)),
+        "panels": Marking("frame", partial(outlines.laid, **own.BED_PANELS)),
     },
-    "bunk bed": {"rungs": Marking("ladder", partial(boards.planks, count=6, wide=0.022))},
+    "bunk bed": {"rungs": Marking("ladder", partial(planks.planks, count=6, wide=0.022))},
     "four-poster bed": {
-        "trim": Marking("canopy", partial(fronts.belts, spans=homely.BED_TRIM)),
-        "quilting": Marking("blanket", partial(homely.quilt, pitch=0.12)),
+        "trim": Marking("canopy", partial(bands.belts, spans=own.BED_TRIM)),
+        "quilting": Marking("blanket", partial(seams.quilt, pitch=0.12)),
     },
     "crib": {
-        "hearts": Marking("frame", partial(outlines.laid, **homely.CRIB_HEARTS)),
-        "stars": Marking("blanket", partial(outlines.laid, **homely.CRIB_STARS)),
+        "hearts": Marking("frame", partial(outlines.laid, **own.CRIB_HEARTS)),
+        "stars": Marking("blanket", partial(outlines.laid, **own.CRIB_STARS)),
     },
-    "pillow": {"border": Marking("body", partial(outlines.laid, **decor.PILLOW_BORDER))},
-    "table": {"seams": Marking("top", partial(outlines.laid, **decor.TABLE_SEAMS), "wooden")},
+    "pillow": {"border": Marking("body", partial(outlines.laid, **own.PILLOW_BORDER))},
+    "table": {"seams": Marking("top", partial(outlines.laid, **own.TABLE_SEAMS), "wooden")},
     "desk": {
-        "border": Marking("blotter", partial(outlines.laid, **decor.BLOTTER_EDGE)),
-        "blotter": Marking("top", partial(outlines.laid, **decor.BLOTTER)),
+        "border": Marking("blotter", partial(outlines.laid, **own.BLOTTER_EDGE)),
+        "blotter": Marking("top", partial(outlines.laid, **own.BLOTTER)),
     },
     "coffee table": {
-        "seams": Marking("top", partial(outlines.laid, **homely.COFFEE_SEAMS), "wooden"),
+        "seams": Marking("top", partial(outlines.laid, **own.COFFEE_SEAMS), "wooden"),
     },
     "bookshelf": {
-        "bands": Marking("books", partial(fronts.belts, spans=fittings.BOOK_BANDS), by="frame"),
-        "labels": Marking("volumes", partial(fronts.belts, spans=fittings.BOOK_LABELS), by="frame"),
-        "stripes": Marking("tomes", partial(fronts.belts, spans=fittings.BOOK_STRIPES), by="frame"),
+        "bands": Marking("books", partial(bands.belts, spans=own.BOOK_BANDS), by="frame"),
+        "labels": Marking("volumes", partial(bands.belts, spans=own.BOOK_LABELS), by="frame"),
+        "stripes": Marking("tomes", partial(bands.belts, spans=own.BOOK_STRIPES), by="frame"),
     },
     "shelf": {
-        "bands": Marking("books", partial(fronts.belts, spans=homely.SHELF_BANDS), by="board"),
+        "bands": Marking("books", partial(bands.belts, spans=own.SHELF_BANDS), by="board"),
         "volumes": Marking(
-            "books", partial(fronts.belts, spans=homely.SHELF_VOLUMES, axis=0), by="board"
+            "books", partial(bands.belts, spans=own.SHELF_VOLUMES, axis=0), by="board"
         ),
-        "tomes": Marking(
-            "books", partial(fronts.belts, spans=homely.SHELF_TOMES, axis=0), by="board"
-        ),
-        "stripes": Marking("vase", partial(fronts.belts, spans=homely.VASE_STRIPES)),
+        "tomes": Marking("books", partial(bands.belts, spans=own.SHELF_TOMES, axis=0), by="board"),
+        "stripes": Marking("vase", partial(bands.belts, spans=own.VASE_STRIPES)),
     },
     "cabinet": {
-        "panels": Marking("doors", fittings.door_panels, paired=True),
+        "panels": Marking("doors", frames.door_panels, paired=True),
     },
     "wardrobe": {
-        "panels": Marking("doors", partial(outlines.laid, **fittings.WARDROBE_PANELS), by="body"),
+        "panels": Marking("doors", partial(outlines.laid, **own.WARDROBE_PANELS), by="body"),
     },
-    "dresser": {"panels": Marking("drawers", decor.each_drawer)},
-    "nightstand": {"panels": Marking("drawers", decor.each_drawer)},
+    "dresser": {"panels": Marking("drawers", frames.each_drawer)},
+    "nightstand": {"panels": Marking("drawers", frames.each_drawer)},
     "mirror": {
-        "gems": Marking("frame", partial(outlines.laid, **homely.MIRROR_GEMS)),
-        "backing": Marking("frame", partial(outlines.laid, **homely.MIRROR_BACK)),
-        "glare": Marking("glass", fittings.glare),
+        "gems": Marking("frame", partial(outlines.laid, **own.MIRROR_GEMS)),
+        "backing": Marking("frame", partial(outlines.laid, **own.MIRROR_BACK)),
+        "glare": Marking("glass", pictures.glare),
     },
     "lamp": {
-        "bands": Marking("shade", partial(fronts.belts, spans=craft.SHADE_BANDS)),
-        "pleats": Marking("shade", partial(craft.flutes, count=24, share=0.15, high=0.9)),
+        "bands": Marking("shade", partial(bands.belts, spans=own.SHADE_BANDS)),
+        "pleats": Marking("shade", partial(lines.flutes, count=24, share=0.15, high=0.9)),
     },
-    "fireplace": {"mortar": Marking("body", facades.courses)},
-    "grandfather clock": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "fireplace": {"mortar": Marking("body", tiles.courses)},
+    "grandfather clock": {"marks": Marking("face", partial(dials.hours, radius=1.0))},
     "piano": {
-        "panels": Marking("body", partial(outlines.laid, **craft.PIANO_PANELS)),
+        "panels": Marking("body", partial(outlines.laid, **own.PIANO_PANELS)),
     },
-    "grand piano": {"black keys": Marking("keys", fronts.black_keys)},
+    "grand piano": {"black keys": Marking("keys", planks.black_keys)},
 }

@@ -2,180 +2,184 @@
 
 from functools import partial
 
-from core.guidance.builtin.markings import (
-    balls,
-    craft,
-    decor,
-    devices,
-    fittings,
-    fronts,
-    homely,
-    outlines,
-    prints,
-    wares,
+from core.guidance.builtin.markings import outlines
+from core.guidance.builtin.markings.forms import (
+    badges,
+    bands,
+    dials,
+    frames,
+    globes,
+    lines,
+    pictures,
+    rings,
+    studs,
+    tiles,
+    toppings,
 )
 from core.guidance.builtin.markings.marking import Marking, Rows
+from core.guidance.builtin.markings.rows.outlines import electronics
+from core.guidance.builtin.markings.rows.outlines import household as own
 
 JUG_BANDS = ((-0.5, -0.06), (-0.02, 0.01), (-0.57, -0.54))
 HOUSEHOLD: Rows = {
-    "mug": {"bands": Marking("body", partial(fronts.belts, spans=decor.MUG_BANDS))},
+    "mug": {"bands": Marking("body", partial(bands.belts, spans=own.MUG_BANDS))},
     "bottle": {
-        "badge": Marking("label", partial(outlines.laid, **fittings.LABEL_BADGE)),
-        "bands": Marking("label", partial(fronts.belts, spans=fittings.BOTTLE_BANDS)),
-        "label": Marking("body", partial(fronts.belt, low=-0.75, high=-0.12)),
+        "badge": Marking("label", partial(outlines.laid, **own.LABEL_BADGE)),
+        "bands": Marking("label", partial(bands.belts, spans=own.BOTTLE_BANDS)),
+        "label": Marking("body", partial(bands.belt, low=-0.75, high=-0.12)),
     },
-    "bowl": {"bands": Marking("body", partial(fronts.belts, spans=decor.BOWL_BANDS))},
+    "bowl": {"bands": Marking("body", partial(bands.belts, spans=own.BOWL_BANDS))},
     "teapot": {
-        "bands": Marking("body", partial(fronts.belts, spans=decor.TEAPOT_BANDS)),
+        "bands": Marking("body", partial(bands.belts, spans=own.TEAPOT_BANDS)),
     },
     "kettle": {
-        "lines": Marking("body", partial(fronts.belts, spans=devices.KETTLE_BANDS)),
+        "lines": Marking("body", partial(bands.belts, spans=own.KETTLE_BANDS)),
     },
     "stove": {
-        "racks": Marking("window", partial(outlines.laid, **fittings.OVEN_RACKS)),
-        "coils": Marking("plates", partial(outlines.laid, **fittings.OVEN_COILS), by="body"),
-        "seams": Marking("body", partial(outlines.laid, **fittings.OVEN_SEAMS)),
+        "racks": Marking("window", partial(outlines.laid, **own.OVEN_RACKS)),
+        "coils": Marking("plates", partial(outlines.laid, **own.OVEN_COILS), by="body"),
+        "seams": Marking("body", partial(outlines.laid, **own.OVEN_SEAMS)),
     },
     "refrigerator": {
-        "magnets": Marking("doors", partial(outlines.laid, **fittings.FRIDGE_MAGNETS), by="body"),
-        "note": Marking("doors", partial(outlines.laid, **fittings.FRIDGE_NOTE), by="body"),
-        "coils": Marking("body", partial(outlines.laid, **fittings.FRIDGE_COILS)),
+        "magnets": Marking("doors", partial(outlines.laid, **own.FRIDGE_MAGNETS), by="body"),
+        "note": Marking("doors", partial(outlines.laid, **own.FRIDGE_NOTE), by="body"),
+        "coils": Marking("body", partial(outlines.laid, **own.FRIDGE_COILS)),
     },
     "microwave": {
-        "digits": Marking("display", partial(outlines.laid, **fittings.MICROWAVE_DIGITS)),
-        "display": Marking("body", partial(outlines.laid, **fittings.MICROWAVE_DISPLAY)),
-        "buttons": Marking("body", partial(outlines.laid, **fittings.MICROWAVE_BUTTONS)),
-        "mesh": Marking("window", partial(outlines.laid, **fittings.MICROWAVE_MESH)),
-        "seams": Marking("body", partial(outlines.laid, **fittings.MICROWAVE_SEAMS)),
+        "digits": Marking("display", partial(outlines.laid, **own.MICROWAVE_DIGITS)),
+        "display": Marking("body", partial(outlines.laid, **own.MICROWAVE_DISPLAY)),
+        "buttons": Marking("body", partial(outlines.laid, **own.MICROWAVE_BUTTONS)),
+        "mesh": Marking("window", partial(outlines.laid, **own.MICROWAVE_MESH)),
+        "seams": Marking("body", partial(outlines.laid, **own.MICROWAVE_SEAMS)),
     },
     "blender": {
-        "marks": Marking("jug", partial(outlines.laid, **devices.JUG_MARKS)),
-        "trim": Marking("base", partial(fronts.belts, spans=devices.BLENDER_TRIM)),
+        "marks": Marking("jug", partial(outlines.laid, **own.JUG_MARKS)),
+        "trim": Marking("base", partial(bands.belts, spans=own.BLENDER_TRIM)),
     },
     "door": {
-        "trim": Marking("panels", homely.door_trim),
-        "keyhole": Marking("lock plate", partial(outlines.laid, **homely.DOOR_KEYHOLE)),
-        "lock plate": Marking("door", partial(outlines.laid, **homely.DOOR_LOCK)),
-        "hinges": Marking("door", partial(outlines.laid, **homely.DOOR_HINGES)),
+        "trim": Marking("panels", frames.door_trim),
+        "keyhole": Marking("lock plate", partial(outlines.laid, **own.DOOR_KEYHOLE)),
+        "lock plate": Marking("door", partial(outlines.laid, **own.DOOR_LOCK)),
+        "hinges": Marking("door", partial(outlines.laid, **own.DOOR_HINGES)),
     },
     "window": {
-        "slats": Marking("shutters", partial(outlines.laid, **decor.SLATS), paired=True),
+        "slats": Marking("shutters", partial(outlines.laid, **own.SLATS), paired=True),
     },
     "toilet": {
         "water": Marking(
-            "body", partial(homely.pool_water, size=(0.5, 0.43), at=-0.17, high=(0.2, 1.2))
+            "body", partial(toppings.pool_water, size=(0.5, 0.43), at=-0.17, high=(0.2, 1.2))
         ),
-        "seams": Marking("tank", partial(outlines.laid, **homely.TOILET_SEAMS)),
-        "hinges": Marking("seat", partial(outlines.laid, **homely.TOILET_HINGES)),
+        "seams": Marking("tank", partial(outlines.laid, **own.TOILET_SEAMS)),
+        "hinges": Marking("seat", partial(outlines.laid, **own.TOILET_HINGES)),
     },
     "bathtub": {
-        "foam": Marking("water", homely.foam),
-        "bands": Marking("body", partial(fronts.belts, spans=homely.BATH_BANDS)),
+        "foam": Marking("water", toppings.foam),
+        "bands": Marking("body", partial(bands.belts, spans=own.BATH_BANDS)),
     },
     "sink": {
         "drain": Marking(
-            "basin", partial(homely.pool_water, size=(0.1, 0.13), at=-0.1, high=(-0.9, 1.2))
+            "basin", partial(toppings.pool_water, size=(0.1, 0.13), at=-0.1, high=(-0.9, 1.2))
         ),
-        "seams": Marking("basin", partial(outlines.laid, **homely.SINK_PANEL)),
-        "bands": Marking("column", partial(fronts.belts, spans=homely.SINK_BANDS)),
+        "seams": Marking("basin", partial(outlines.laid, **own.SINK_PANEL)),
+        "bands": Marking("column", partial(bands.belts, spans=own.SINK_BANDS)),
     },
     "washing machine": {
-        "lights": Marking("panel", partial(outlines.laid, **fittings.PANEL_LIGHTS)),
-        "seams": Marking("body", partial(outlines.laid, **fittings.WASHER_SEAMS)),
+        "lights": Marking("panel", partial(outlines.laid, **own.PANEL_LIGHTS)),
+        "seams": Marking("body", partial(outlines.laid, **own.WASHER_SEAMS)),
     },
     "bucket": {
-        "bands": Marking("body", partial(fronts.belts, spans=wares.BUCKET_BANDS)),
-        "rivets": Marking("bands", partial(wares.studs, count=12, size=0.018, at=0.52)),
+        "bands": Marking("body", partial(bands.belts, spans=own.BUCKET_BANDS)),
+        "rivets": Marking("bands", partial(studs.studs, count=12, size=0.018, at=0.52)),
     },
     "trash can": {
-        "flutes": Marking("body", partial(craft.flutes, count=14, share=0.34, high=0.84)),
+        "flutes": Marking("body", partial(lines.flutes, count=14, share=0.34, high=0.84)),
     },
     "fan": {
-        "buttons": Marking("stand", partial(outlines.laid, **devices.FAN_BUTTONS)),
-        "badge": Marking("hub", partial(outlines.laid, **devices.FAN_BADGE)),
+        "buttons": Marking("stand", partial(outlines.laid, **own.FAN_BUTTONS)),
+        "badge": Marking("hub", partial(outlines.laid, **own.FAN_BADGE)),
     },
     "safe": {
-        "marks": Marking("dial", partial(fronts.hours, radius=1.0)),
-        "rivets": Marking("body", partial(outlines.laid, **fittings.SAFE_RIVETS)),
+        "marks": Marking("dial", partial(dials.hours, radius=1.0)),
+        "rivets": Marking("body", partial(outlines.laid, **own.SAFE_RIVETS)),
     },
-    "disco ball": {"gaps": Marking("body", balls.mirror_gaps)},
+    "disco ball": {"gaps": Marking("body", tiles.mirror_gaps)},
     "clock": {
-        "face": Marking("body", partial(fronts.disc, radius=0.79)),
-        "marks": Marking("face", partial(fronts.hours, radius=0.79)),
+        "face": Marking("body", partial(rings.disc, radius=0.79)),
+        "marks": Marking("face", partial(dials.hours, radius=0.79)),
     },
-    "alarm clock": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "alarm clock": {"marks": Marking("face", partial(dials.hours, radius=1.0))},
     "trophy": {
-        "plaque": Marking("base", partial(outlines.laid, **craft.PLAQUE)),
-        "star": Marking("cup", partial(outlines.laid, **craft.CUP_STAR)),
+        "plaque": Marking("base", partial(outlines.laid, **own.PLAQUE)),
+        "star": Marking("cup", partial(outlines.laid, **own.CUP_STAR)),
     },
-    "bell": {"bands": Marking("body", partial(fronts.belts, spans=decor.BELL_BANDS))},
+    "bell": {"bands": Marking("body", partial(bands.belts, spans=own.BELL_BANDS))},
     "globe": {
-        "ice": Marking("ocean", partial(balls.poles, lean=23)),
-        "land": Marking("ocean", partial(balls.lands, lean=23)),
+        "ice": Marking("ocean", partial(globes.poles, lean=23)),
+        "land": Marking("ocean", partial(globes.lands, lean=23)),
     },
     **{
-        noun: {"sun": Marking("picture", prints.sun), "hills": Marking("picture", prints.hills)}
+        noun: {"sun": Marking("picture", pictures.sun), "hills": Marking("picture", pictures.hills)}
         for noun in ("picture frame", "easel")
     },
-    "crown": {"borders": Marking("band", partial(fronts.belts, spans=decor.CROWN_BANDS))},
+    "crown": {"borders": Marking("band", partial(bands.belts, spans=own.CROWN_BANDS))},
     "hat": {
-        "buckle": Marking("ribbon", partial(outlines.laid, **wares.HAT_BUCKLE)),
-        "piping": Marking("body", partial(wares.brim, low=0.955, high=2.0)),
+        "buckle": Marking("ribbon", partial(outlines.laid, **own.HAT_BUCKLE)),
+        "piping": Marking("body", partial(bands.brim, low=0.955, high=2.0)),
     },
     "remote control": {
-        "seams": Marking("body", partial(outlines.laid, **craft.REMOTE_SEAMS)),
+        "seams": Marking("body", partial(outlines.laid, **own.REMOTE_SEAMS)),
     },
     "perfume": {
-        "monogram": Marking("label", partial(outlines.laid, **wares.LABEL_FLOWER)),
-        "border": Marking("label", partial(outlines.laid, **wares.LABEL_EDGE)),
-        "grooves": Marking("collar", partial(fronts.belts, spans=wares.COLLAR_GROOVES)),
+        "monogram": Marking("label", partial(outlines.laid, **own.LABEL_FLOWER)),
+        "border": Marking("label", partial(outlines.laid, **own.LABEL_EDGE)),
+        "grooves": Marking("collar", partial(bands.belts, spans=own.COLLAR_GROOVES)),
     },
     "jug": {
-        "band": Marking("body", partial(fronts.belts, spans=JUG_BANDS)),
-        "collar": Marking("body", partial(fronts.belts, spans=((0.44, 0.53), (0.57, 0.59)))),
+        "band": Marking("body", partial(bands.belts, spans=JUG_BANDS)),
+        "collar": Marking("body", partial(bands.belts, spans=((0.44, 0.53), (0.57, 0.59)))),
     },
-    "plate": {"rim": Marking("body", fronts.plate_rings)},
-    "paper cup": {"badge": Marking("sleeve", partial(prints.badge, radius=0.38, shape="leaf"))},
-    "counter": {"panels": Marking("body", partial(outlines.laid, **decor.COUNTER_PANELS))},
+    "plate": {"rim": Marking("body", rings.plate_rings)},
+    "paper cup": {"badge": Marking("sleeve", partial(badges.badge, radius=0.38, shape="leaf"))},
+    "counter": {"panels": Marking("body", partial(outlines.laid, **own.COUNTER_PANELS))},
     "rug": {
-        "middle": Marking("border", prints.rug_middle),
-        "lozenge": Marking("border", prints.rug_lozenge),
-        "field": Marking("border", prints.rug_field),
+        "middle": Marking("border", frames.rug_middle),
+        "lozenge": Marking("border", frames.rug_lozenge),
+        "field": Marking("border", frames.rug_field),
     },
-    "curtain": {"hems": Marking("curtain", partial(fronts.belts, spans=decor.HEMS))},
+    "curtain": {"hems": Marking("curtain", partial(bands.belts, spans=own.HEMS))},
     "lipstick": {
-        "monogram": Marking("case", partial(outlines.laid, **wares.MONOGRAM)),
-        "lines": Marking("case", partial(fronts.belts, spans=wares.CASE_LINES)),
-        "grooves": Marking("tube", partial(fronts.belts, spans=wares.TUBE_GROOVES)),
+        "monogram": Marking("case", partial(outlines.laid, **own.MONOGRAM)),
+        "lines": Marking("case", partial(bands.belts, spans=own.CASE_LINES)),
+        "grooves": Marking("tube", partial(bands.belts, spans=own.TUBE_GROOVES)),
     },
-    "ruler": {"marks": Marking("body", prints.inches)},
+    "ruler": {"marks": Marking("body", dials.inches)},
     "envelope": {
-        "stamp": Marking("body", partial(outlines.laid, **decor.STAMP)),
-        "address": Marking("body", partial(outlines.laid, **decor.ADDRESS)),
+        "stamp": Marking("body", partial(outlines.laid, **own.STAMP)),
+        "address": Marking("body", partial(outlines.laid, **own.ADDRESS)),
     },
     "clipboard": {
-        "boxes": Marking("paper", prints.ticked),
-        "lines": Marking("paper", prints.ruled),
+        "boxes": Marking("paper", lines.ticked),
+        "lines": Marking("paper", lines.ruled),
     },
     "notice board": {
-        "lines": Marking("paper", partial(fittings.hoops, pitch=0.058, wide=0.009)),
-        "words": Marking("notes", partial(fittings.hoops, pitch=0.058, wide=0.009)),
+        "lines": Marking("paper", partial(lines.levels, pitch=0.058, wide=0.009)),
+        "words": Marking("notes", partial(lines.levels, pitch=0.058, wide=0.009)),
     },
-    "map pin": {"star": Marking("disc", partial(outlines.laid, **wares.PIN_RING))},
-    "flask": {"marks": Marking("glass", prints.scale_marks)},
+    "map pin": {"star": Marking("disc", partial(outlines.laid, **own.PIN_RING))},
+    "flask": {"marks": Marking("glass", dials.scale_marks)},
     "first aid kit": {
-        "cross": Marking("body", partial(prints.stamp, shape="cross", size=0.42, at=(0.0, -0.1)))
+        "cross": Marking("body", partial(badges.stamp, shape="cross", size=0.42, at=(0.0, -0.1)))
     },
-    "pocket watch": {"marks": Marking("face", partial(fronts.hours, radius=1.0))},
+    "pocket watch": {"marks": Marking("face", partial(dials.hours, radius=1.0))},
     "cassette": {
-        "reels": Marking("window", prints.reels),
-        "window": Marking("label", partial(prints.oblong, at=0.1, size=(0.62, 0.24))),
-        "stripe": Marking("label", partial(prints.oblong, at=0.6, size=(2.0, 0.07))),
-        "label": Marking("body", partial(prints.oblong, at=0.2, size=(0.86, 0.6))),
+        "reels": Marking("window", pictures.reels),
+        "window": Marking("label", partial(frames.oblong, at=0.1, size=(0.62, 0.24))),
+        "stripe": Marking("label", partial(frames.oblong, at=0.6, size=(2.0, 0.07))),
+        "label": Marking("body", partial(frames.oblong, at=0.2, size=(0.86, 0.6))),
     },
     "vinyl record": {
-        "hole": Marking("label", partial(fronts.rings, spans=((-1, 0.045),))),
-        "label": Marking("disc", partial(fronts.rings, spans=((-1, 0.33),))),
-        "grooves": Marking("disc", partial(fronts.rings, spans=craft.RECORD_GROOVES)),
+        "hole": Marking("label", partial(rings.rings, spans=((-1, 0.045),))),
+        "label": Marking("disc", partial(rings.rings, spans=((-1, 0.33),))),
+        "grooves": Marking("disc", partial(rings.rings, spans=electronics.RECORD_GROOVES)),
     },
 }

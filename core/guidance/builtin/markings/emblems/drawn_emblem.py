@@ -10,12 +10,12 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
+from core.guidance.builtin.markings.emblems.scattered import Scattered, scattered_on
+from core.guidance.builtin.markings.emblems.windows import Window, window_on
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.markings import bearer_of
-from core.guidance.builtin.markings.scattered import Scattered, scattered_on
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
-from core.guidance.builtin.markings.windows import Window, window_on
 from core.guidance.builtin.palette import FINISHES, PAINT, Painted, companion
 from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL
 from core.guidance.builtin.words.colors import Color, color_value

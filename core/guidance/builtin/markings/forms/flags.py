@@ -1,7 +1,6 @@
-"""The colours of flags, whose cloth hangs along x from its pole."""
+"""Cantons, stars, crosses and lozenges of flags, whose cloth hangs along x from the pole."""
 
 import math
-from functools import partial
 
 import torch
 from torch import Tensor
@@ -10,12 +9,6 @@ from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of,
 from core.guidance.builtin.markings.shapes import shape_margin
 
 UNION = 0.4  # of the width, of a canton
-
-
-def bands(points: Points, half: Half, axis: int, low: float, high: float) -> Margin:
-    """Between two lines across x or z, in halves of the cloth."""
-    at = points[:, axis]
-    return all_of(at - low * half[axis], high * half[axis] - at)
 
 
 def stripes(points: Points, half: Half) -> Margin:
@@ -61,15 +54,6 @@ def nordic(points: Points, half: Half, wide: float) -> Margin:
     return wide * half[2] - away
 
 
-def emblem(
-    points: Points, half: Half, shape: str, size: float, at: tuple[float, float] = (0.0, 0.0)
-) -> Margin:
-    """A shape through the cloth, its ``size`` in halves of the height, its middle in halves of the
-    cloth."""
-    x, z = points[:, 0] - at[0] * half[0], points[:, 2] - at[1] * half[2]
-    return shape_margin(torch.stack([x, z], 1) / (size * half[2]), shape) * size * half[2]
-
-
 def lozenge(points: Points, half: Half) -> Margin:
     """Nearly as large as the cloth."""
     away = points[:, 0].abs() / half[0] + points[:, 2].abs() / half[2]
@@ -79,8 +63,3 @@ def lozenge(points: Points, half: Half) -> Margin:
 def outer(points: Points, half: Half) -> Margin:
     """The quarters at both ends."""
     return points[:, 0].abs() - 0.5 * half[0]
-
-
-LEFT, RIGHT = (partial(bands, axis=0, low=a, high=b) for a, b in ((-2, -1 / 3), (1 / 3, 2)))
-TOP, BOTTOM = (partial(bands, axis=2, low=a, high=b) for a, b in ((1 / 3, 2), (-2, -1 / 3)))
-LOWER = partial(bands, axis=2, low=-2, high=0)

@@ -10,9 +10,9 @@ from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
+from core.guidance.builtin.markings.emblems.windows import surface_places
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.shapes import shape_margin
-from core.guidance.builtin.markings.windows import surface_places
 
 HALF = 0.1  # of a shape, times the thing's longest side
 FEWEST = 8  # shapes, or they are smaller

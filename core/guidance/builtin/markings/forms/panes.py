@@ -1,10 +1,11 @@
-"""Markings of buildings: windows with bars, frames and sills, shutters, doors, courses, tiles."""
+"""Windows, doors and shutters in walls."""
 
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.outlines import Outline, Pair, laid
 
 FRAME = 0.026  # how wide a window's is, training units
 SILL = 0.022  # how far that goes on at either side, and half of how high it is
@@ -124,7 +125,7 @@ def shutters(points: Points, half: Half, openings: Sequence[Opening], wide: floa
     return any_of(*found)
 
 
-def panels(
+def door_panels(
     points: Points,
     half: Half,
     rows: Sequence[tuple[float, float]] = ((-0.78, -0.12), (0.06, 0.82)),
@@ -138,50 +139,6 @@ def panels(
         across = all_of(across, _between(x, wide, columns, edge * float(half[0]) / 2.4))
     level = [all_of(z - low * half[2], high * half[2] - z) for low, high in rows]
     return all_of(across, any_of(*level), in_front(points) - 0.4 * half[1])
-
-
-def tiles(
-    points: Points,
-    half: Half,
-    pitch: tuple[float, float] = (0.13, 0.17),
-    axis: int = 0,
-    wide: float = 0.009,
-    edge: float = 0.02,
-) -> Margin:
-    """The lines between a roof's: their height and width; the ridge is along the axis, and its
-    ends, within ``edge`` of which there are none, are plain."""
-    row = (points[:, 2] + half[2]) / pitch[0]
-    level = (row - row.round()).abs() * pitch[0]
-    place = points[:, axis] / pitch[1] + row.floor().remainder(2) / 2
-    upright = (place - place.round()).abs() * pitch[1]
-    line = any_of(wide - level, wide - upright)
-    return all_of(line, half[axis] - edge - points[:, axis].abs())
-
-
-def courses(
-    points: Points,
-    half: Half,
-    pitch: tuple[float, float] = (0.11, 0.22),
-    wide: float = 0.009,
-) -> Margin:
-    """The mortar between the bricks of four walls: their height and width."""
-    x, y, z = points.unbind(1)
-    row = (z + half[2]) / pitch[0]
-    level = (row - row.round()).abs() * pitch[0]
-    shift = row.floor().remainder(2) / 2
-    facing = x.abs() * half[1] > y.abs() * half[0]
-    place = facing * y / pitch[1] + ~facing * x / pitch[1] + shift
-    return any_of(wide - level, wide - (place - place.round()).abs() * pitch[1])
-
-
-def lattice(points: Points, _half: Half, pitch: float = 0.1, wide: float = 0.012) -> Margin:
-    """Of a mill's sails, which are at half right angles."""
-    x, z = points[:, 0], points[:, 2]
-    found = []
-    for along in ((x + z) / math.sqrt(2), (x - z) / math.sqrt(2)):
-        at = along / pitch
-        found.append(wide - (at - at.round()).abs() * pitch)
-    return any_of(*found)
 
 
 BARN_DOOR = 0.5, -0.12  # half of its width, and its upper edge
@@ -220,3 +177,21 @@ def barn_trim(points: Points, half: Half, wide: float = 0.03) -> Margin:
         all_of(y.abs() - half[1] + 2 * wide, x.abs() - half[0] + 0.01),
     )
     return any_of(front, panes_of, corner)
+
+
+def vehicle_windows(
+    points: Points,
+    half: Half,
+    front: Sequence[Outline],
+    sides: Sequence[Outline] = (),
+    back: Sequence[Outline] = (),
+    ends: Pair = (0.1, 0.1),
+    until: float = 9.0,
+) -> Margin:
+    """A vehicle's panes; how far from the middle those of both ends begin, in halves."""
+    margins = [laid(points, half, front=front, deep=ends[0])]
+    if sides:
+        margins.append(laid(points, half, sides=sides, deep=0.55))
+    if back:
+        margins.append(laid(points, half, back=back, deep=ends[1], until=until))
+    return any_of(*margins)

@@ -1,10 +1,10 @@
-"""Markings of what is built of boards, or woven."""
+"""Joints of planks, staves, boards, frets and keys; furrows of bark."""
 
 import math
 
 import torch
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, in_front
+from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
 
 LID = 0.7  # of a barrel's radius, of which a lid is at least
 
@@ -40,12 +40,23 @@ def boarding(points: Points, half: Half, pitch: float = 0.1, wide: float = 0.008
     return wide - (along - along.floor() - 0.5).abs() * pitch
 
 
-def weave(points: Points, half: Half, around: int = 24, rows: int = 9) -> Margin:
-    """Every other strand of a basket, over and under."""
+def bark_lines(points: Points, half: Half, count: int = 11, wide: float = 0.013) -> Margin:
+    """Furrows along a log that lies along x, each in strokes."""
     x, y, z = points.unbind(1)
-    turn = torch.atan2(x, -y) * (around / math.tau)
-    up = z / half[2] * (rows / 2)
-    over = (turn.floor() + up.floor()).remainder(2) == 0
-    side = (turn - turn.round()).abs() * (math.tau / around) * torch.hypot(x, y)
-    away = torch.minimum(side, (up - up.round()).abs() * (2 * half[2] / rows))
-    return torch.where(over, away, -away)
+    turn = torch.atan2(z, y) * (count / math.tau) + 0.12 * (x * 5).sin()
+    row = turn.round()
+    off = (turn - row).abs() * (math.tau / count) * torch.hypot(y, z)
+    phase = x / 0.42 + 0.37 * row
+    long = (0.34 - (phase - phase.round()).abs()) * 0.42
+    return all_of(wide - off, long, 0.94 * half[0] - x.abs())
+
+
+def black_keys(points: Points, half: Half, octaves: int = 2) -> Margin:
+    """Of a piano, the front at -y, and the gaps between the white ones."""
+    pitch = 2 * half[0] / (7 * octaves)
+    at = (points[:, 0] + half[0]) / pitch
+    nearest = at.round()
+    away = (at - nearest).abs() * pitch
+    place = nearest.remainder(7)
+    key = all_of(0.3 * pitch - away, points[:, 1] + 0.2 * half[1])
+    return any_of(torch.where((place != 0) & (place != 3), key, -1.0), 0.005 - away)
