@@ -8,7 +8,7 @@ import pytest
 import torch
 from scipy import ndimage
 
-from core.guidance.builtin.markings.forms import lattices, lines, planks, rings, spots
+from core.guidance.builtin.markings.forms import lattices, lines, pictures, planks, rings, spots
 from core.guidance.builtin.markings.markings import unfit_markings
 from core.guidance.builtin.markings.rows.food_and_plants import YEARS
 from core.guidance.builtin.markings.rows.props_and_arms import SCRIPT
@@ -139,7 +139,7 @@ def test_seeds_are_as_many_as_they_say_and_apart(up, count):
 
 
 def test_a_phone_has_rows_of_four_icons_and_four_below():
-    icons = front(lattices.icons, torch.tensor([0.4, 0.05, 0.8]))
+    icons = front(pictures.icons, torch.tensor([0.4, 0.05, 0.8]))
     assert pieces(icons) == 4 * (5 + 1)
     gaps = np.diff(np.flatnonzero(icons.any(1)))
     assert gaps.max() > 3 * np.median(gaps[gaps > 1])  # the lowest row is apart
@@ -156,7 +156,7 @@ def test_a_stump_has_rings_about_its_middle():
     grown = top(partial(rings.rings, spans=YEARS, axis=2), torch.tensor([0.5, 0.5, 0.2]))
     assert pieces(grown) == len(YEARS)
     assert pieces(grown[CELLS // 2]) == 2 * len(YEARS)
-    assert np.array_equal(rings[CELLS // 2], rings[:, CELLS // 2])
+    assert np.array_equal(grown[CELLS // 2], grown[:, CELLS // 2])
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,7 @@ from core.prior.solids import (
 )
 from core.prior.things.shared.fitted import fitted
 
-LEAN_DEG = 23.0  # of a planet's axis, as the markings' (``markings/balls.py``) of its globe
+LEAN_DEG = 23.0  # of a planet's axis, as the markings' (``markings/forms/globes.py``) of its globe
 
 
 def airplane(draw: Draw) -> Parts:

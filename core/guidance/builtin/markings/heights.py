@@ -1,5 +1,5 @@
-"""How far markings stand out of what bears them, or lie in it: a pane is sunk in its wall, a frame
-is raised, what is only printed lies flat."""
+"""How far markings stand out of the part below, or are sunk in it: a pane is sunk in its wall, a
+frame is raised, a print is flat."""
 
 from typing import NamedTuple
 
@@ -10,20 +10,20 @@ from core.guidance.builtin.markings.margins import Margin
 
 
 class Height(NamedTuple):
-    """Of a marking, at its middle; at its border it is 0."""
+    """The height of a marking in its middle; at its border it is 0."""
 
     high: float  # training units; negative: sunk
-    slope: float = 0.012  # width of what goes up or down inside the border, training units
+    slope: float = 0.012  # width of the slope inside the border, training units
 
     def at(self, margin: Margin) -> Float[Tensor, " p"]:
-        """So far inside the border: an even curve without a kink at its ends."""
+        """The height that far inside the border: a smooth curve."""
         part = (margin / self.slope).clamp(0, 1)
         return self.high * part.square() * (3 - 2 * part)
 
 
 FLAT = Height(0.0)
 RAISED, LOW = Height(0.01, 0.015), Height(0.006)
-OF_PANE = Height(0.015, 0.01)  # stands in a sunk pane, or around it
+OF_PANE = Height(0.015, 0.01)  # of parts in a sunk pane, or around it
 SUNK, GROOVE = Height(-0.014, 0.018), Height(-0.008, 0.01)
 BOWL = Height(-0.014, 0.05)
 
@@ -92,5 +92,5 @@ _NAMED = {name.replace("_", " "): height for height, of in BY_NAME.items() for n
 
 
 def height_of(noun: str, part: str) -> Height:
-    """Of a marking: what is named in neither table is as flat as paint."""
+    """The height of a marking; without an entry in a table it is flat."""
     return BY_THING.get(noun, {}).get(part) or _NAMED.get(part, FLAT)

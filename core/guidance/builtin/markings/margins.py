@@ -1,7 +1,8 @@
-"""What all markings share.
+"""What all markings share: types, and the margins of simple forms.
 
 A marking is given by its margin: how far inside it a place is, negative outside, in training units.
-It is a function of places from the middle of what bears it, and of half of that part's extent.
+It is a function of places from the middle of the part with the marking, and of half that part's
+extent.
 """
 
 from collections.abc import Callable, Sequence
@@ -13,29 +14,30 @@ from torch import Tensor
 Points = Float[Tensor, "p 3"]
 Half = Float[Tensor, " 3"]
 Margin = Float[Tensor, " p"]
-Spans = Sequence[tuple[float, float]]
+Pair = tuple[float, float]
+Spans = Sequence[Pair]
 Way = tuple[float, float, float]
 UP = (0.0, 0.0, 1.0)
 Marks = Callable[[Points, Half], Margin]
 
 
 def all_of(*margins: Margin) -> Margin:
-    """Inside all of them."""
+    """The intersection of markings."""
     return torch.stack(margins).amin(0)
 
 
 def any_of(*margins: Margin) -> Margin:
-    """Inside one of them."""
+    """The union of markings."""
     return torch.stack(margins).amax(0)
 
 
 def in_front(points: Points) -> Margin:
-    """On the half that faces the front, -y."""
+    """The half that faces the front, -y."""
     return -points[:, 1]
 
 
 def within(at: Float[Tensor, "p 2"], corners: Float[Tensor, "c 2"]) -> Margin:
-    """Inside a polygon."""
+    """The inside of a polygon."""
     following = corners.roll(-1, 0)
     (x, y), (u, v), (a, b) = at.T[:, :, None], corners.T, following.T
     crossed = ((v > y) != (b > y)) & (x < (a - u) * (y - v) / (b - v + 1e-12) + u)
@@ -44,14 +46,14 @@ def within(at: Float[Tensor, "p 2"], corners: Float[Tensor, "c 2"]) -> Margin:
 
 
 def strokes(at: Float[Tensor, "p 2"], places: Float[Tensor, "c 2"], wide: float) -> Margin:
-    """Within ``wide`` of a line from place to place."""
+    """Places within ``wide`` of a line from place to place."""
     way = places[1:] - places[:-1]
     off = at[:, None] - places[:-1]
-    share = ((off * way).sum(2) / (way * way).sum(1).clamp_min(1e-12)).clamp(0, 1)
-    return wide - (off - share[..., None] * way).norm(dim=2).amin(1)
+    fraction = ((off * way).sum(2) / (way * way).sum(1).clamp_min(1e-12)).clamp(0, 1)
+    return wide - (off - fraction[..., None] * way).norm(dim=2).amin(1)
 
 
 def unit(points: Points, way: Way) -> Tensor:
-    """As long as one."""
+    """A direction of length 1."""
     found = points.new_tensor(way)
     return found / found.norm()

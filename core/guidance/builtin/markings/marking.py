@@ -1,4 +1,4 @@
-"""A part that lies on another as paint does."""
+"""A part that is on another one as paint is."""
 
 from typing import NamedTuple
 
@@ -6,13 +6,13 @@ from core.guidance.builtin.markings.margins import Marks
 
 
 class Marking(NamedTuple):
-    """Where a part lies."""
+    """The place and the form of a marking."""
 
-    on: str  # the part that bears it, or another marking that lies on that
+    on: str  # the part with the solid, or another marking on that part
     marks: Marks
-    of: str = ""  # the only material that is so marked, where a prompt names one: a plank's seams
-    by: str = ""  # the part by whose box it is placed; "": what bears it
-    paired: bool = False  # what bears it is alike on both sides of x = 0, and so is it
+    of: str = ""  # where a prompt names a material: the only one with this marking
+    by: str = ""  # the part whose box places it; "": the one with the solid
+    paired: bool = False  # mirrored at x = 0, as the part that it is on
 
 
-Rows = dict[str, dict[str, Marking]]  # by noun and part; what lies on top comes first
+Rows = dict[str, dict[str, Marking]]  # by noun and part; the uppermost comes first

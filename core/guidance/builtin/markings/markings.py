@@ -1,8 +1,8 @@
-"""Parts that lie on another as paint does: a die's pips, a zebra's stripes, the hours of a clock.
+"""Parts that are on another one as paint is: a die's pips, a zebra's stripes, the hours of a clock.
 
-What is flat on a surface has no shape of its own, and drawn as a solid its border is as ragged as
-the lattice. Here it is a margin, as a pattern's is (:mod:`core.guidance.builtin.patterns`), so that
-it is as sharp as the texture; and it is a part by name, with a colour and a material of its own.
+A flat part has no shape of its own, and drawn as a solid its border is as ragged as the lattice.
+Here it is a margin, as a pattern's is (:mod:`core.guidance.builtin.patterns`), so that it is as
+sharp as the texture; and it is a part by name, with a colour and a material of its own.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -32,7 +32,7 @@ class Laid(NamedTuple):
     height: Height
 
     def margin(self, points: Float[Tensor, "n 3"]) -> Margin:
-        """How far inside it each point is."""
+        """How far inside the marking each point is."""
         low, high = self.box.to(points)
         middle = (low + high) / 2
         if self.marking.paired:
@@ -42,8 +42,7 @@ class Laid(NamedTuple):
 
 
 class Marked:
-    """The markings of one object: what turns the distances of its parts without them to those with
-    them."""
+    """The markings of one object: adds them to the distances of its parts."""
 
     def __init__(
         self,
@@ -54,12 +53,12 @@ class Marked:
     ) -> None:
         """
         Args:
-            names: of the noun's parts; "" of those that the object is without.
-            boxes: of each the lowest and the highest corner; None of what has no solid.
-            number: that it has instead of its usual one.
+            names: of the noun's parts; "" for those that the object lacks.
+            boxes: the lowest and the highest corner of each part; None without a solid.
+            number: replaces its usual one.
         """
         self.laid: list[Laid] = []
-        self.bearers = list(range(len(names)))  # of each part; its own where it has a solid
+        self.bearers = list(range(len(names)))  # by part; the part itself where it has a solid
         for name, one in sorted(_of(noun), key=lambda one: _depth(noun, one[0])):
             bearer = bearer_of(noun, name)
             by = one.by or bearer
@@ -79,13 +78,13 @@ class Marked:
         found = distances.clone()
         for one in self.laid:
             margin = one.margin(points)
-            lies = found[:, one.on].clone()
-            found[:, one.part] = torch.maximum(lies, -margin)
-            found[:, one.on] = torch.maximum(lies, margin)
+            below = found[:, one.on].clone()
+            found[:, one.part] = torch.maximum(below, -margin)
+            found[:, one.on] = torch.maximum(below, margin)
         return found
 
     def height(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
-        """How far the surface stands out, training units, at points of the surfaces of parts."""
+        """How far the surface stands out at points of the surfaces of parts, training units."""
         bearer = part.new_tensor(self.bearers)[part]
         found = torch.zeros_like(points[:, 0])
         for which in {one.bearer for one in self.laid if one.height != FLAT}:
@@ -96,15 +95,15 @@ class Marked:
 
     @property
     def uneven(self) -> set[int]:
-        """The parts that stand out or are sunk, and what lies on them."""
+        """The parts that stand out or are sunk, and those on them."""
         found: set[int] = set()
-        for one in self.laid:  # what bears others comes first
+        for one in self.laid:  # the lowest come first
             if one.height != FLAT or one.on in found:
                 found.add(one.part)
         return found
 
     def _height_on(self, bearer: int, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """On one part with a solid: the sum of what lies there one on another."""
+        """The sum of the heights of all markings on one part with a solid."""
         found = torch.zeros_like(points[:, 0])
         room = {bearer: torch.full_like(found, torch.inf)}  # how far inside each a point is
         for one in self.laid:
@@ -117,15 +116,15 @@ class Marked:
 
 
 def bearer_of(noun: str, part: str) -> str:
-    """The part with a solid that bears a marking: of a pupil the white."""
+    """The part with a solid below a marking: the white below a pupil."""
     while is_marking(noun, part):
         part = MARKINGS[noun][part].on
     return part
 
 
 def unfit_markings(noun: str, materials: Mapping[str, str]) -> set[str]:
-    """Those that are of another material than a prompt states of their part: ``materials``, ""
-    by nature. An iron chest has no planks."""
+    """Markings of another material than the one that a prompt states for their part (``materials``;
+    "" by nature): an iron chest has no planks."""
     named = ((name, one.of, materials[bearer_of(noun, name)]) for name, one in _of(noun))
     return {name for name, own, stated in named if own and stated not in ("", own)}
 
@@ -135,7 +134,7 @@ def _of(noun: str) -> Iterable[tuple[str, Marking]]:
 
 
 def _depth(noun: str, part: str) -> int:
-    """How many parts lie below a marking: what bears others comes first."""
+    """The number of parts below a marking."""
     on = MARKINGS[noun][part].on
     return 1 + _depth(noun, on) if is_marking(noun, on) else 1
 

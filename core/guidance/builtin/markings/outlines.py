@@ -1,7 +1,7 @@
 """Markings given as lists of outlines on a thing's sides: rectangles, discs, lines, cells, emblems.
 
-All places are in halves of the side, so that they go with any proportions; one that is a gap is
-left out of what stands before it.
+All places are in halves of the side, so that they fit any proportions; an outline with ``gap`` is
+cut out of those before it.
 """
 
 from collections.abc import Sequence
@@ -14,6 +14,7 @@ from torch import Tensor
 from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
+    Pair,
     Points,
     all_of,
     any_of,
@@ -25,7 +26,6 @@ from core.guidance.builtin.markings.stencils import lettering
 
 At = Float[Tensor, "p 2"]
 Sides = Float[Tensor, " 2"]
-Pair = tuple[float, float]
 
 
 class Plate(NamedTuple):
@@ -39,7 +39,7 @@ class Plate(NamedTuple):
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         size = half.new_tensor(self.size) * half
         round_ = self.soft * size.min()
         away = _from(at, self.at, half, self.twice).abs() - size + round_
@@ -48,7 +48,7 @@ class Plate(NamedTuple):
 
 
 class Disc(NamedTuple):
-    """A disc, or its outline; its radius in halves of the side's shorter way."""
+    """A disc, or its outline; its radius in halves of the side's shorter extent."""
 
     at: Pair
     radius: float
@@ -57,13 +57,13 @@ class Disc(NamedTuple):
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         away = self.radius * half.min() - _from(at, self.at, half, self.twice).norm(dim=1)
         return self.line - away.abs() if self.line else away
 
 
 class Line(NamedTuple):
-    """From place to place, half its width in training units."""
+    """A line from place to place, half its width in training units."""
 
     places: tuple[Pair, ...]
     wide: float = 0.012
@@ -71,37 +71,37 @@ class Line(NamedTuple):
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         at = _from(at, (0.0, 0.0), half, self.twice)
         return strokes(at, half.new_tensor(self.places) * half, self.wide)
 
 
 class Cells(NamedTuple):
-    """Rectangles in rows and columns within one, each so large a share of its room."""
+    """Rectangles in rows and columns within one, each ``fraction`` of its room."""
 
     at: Pair
     size: Pair
     count: tuple[int, int]
-    share: Pair = (0.6, 0.6)
+    fraction: Pair = (0.6, 0.6)
     soft: float = 0.0
     twice: bool = False
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         place = _from(at, self.at, half, self.twice)
         count = half.new_tensor(self.count)
         pitch = 2 * half.new_tensor(self.size) * half / count
         cell = torch.minimum((place / pitch + count / 2).floor().clamp_min(0), count - 1)
         middle = (cell + 0.5 - count / 2) * pitch
-        size = half.new_tensor(self.share) * pitch / 2
+        size = half.new_tensor(self.fraction) * pitch / 2
         round_ = self.soft * size.min()
         away = (place - middle).abs() - size + round_
         return round_ - away.clamp_min(0).norm(dim=1) - away.amax(1).clamp_max(0)
 
 
 class Emblem(NamedTuple):
-    """A shape by name, or letters; half its height in halves of the side's shorter way."""
+    """A shape by name, or letters; half its height in halves of the side's shorter extent."""
 
     at: Pair
     size: float
@@ -111,7 +111,7 @@ class Emblem(NamedTuple):
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         size = self.size * half.min()
         place = _from(at, self.at, half, self.twice) / size
         if self.shape:
@@ -127,7 +127,7 @@ class Poly(NamedTuple):
     gap: bool = False
 
     def margin(self, at: At, half: Sides) -> Margin:
-        """Of places on the side, which is so large."""
+        """Margins at places on a side of half size ``half``."""
         at = _from(at, (0.0, 0.0), half, self.twice)
         return within(at, half.new_tensor(self.corners) * half)
 
@@ -136,7 +136,7 @@ Outline = Plate | Disc | Line | Cells | Emblem | Poly
 
 
 def _from(at: At, middle: Pair, half: Sides, twice: bool) -> At:
-    """Places from a middle that is given in halves."""
+    """Places from a middle given in halves."""
     if twice:
         at = torch.stack([at[:, 0].abs(), at[:, 1]], 1)
     return at - half.new_tensor(middle) * half
@@ -153,9 +153,15 @@ def laid(
     until: float = 9.0,
     aside: float | None = None,
 ) -> Margin:
-    """Outlines on a box's sides, as each is looked at but that on the left and the right side the
-    front is to the left; all are from ``deep`` to ``until`` halves from the middle,
-    those on the sides from ``aside``."""
+    """Outlines on a box's sides.
+
+    Each side is seen from outside; on the left and the right side alike the front is to the left.
+
+    Args:
+        deep: how far from the middle all outlines begin, in halves.
+        until: how far from the middle they end, in halves.
+        aside: ``deep`` for those on the sides.
+    """
     x, y, z = points.unbind(1)
     each = (
         (front, (x, z), (0, 2), -y, half[1]),
@@ -173,7 +179,7 @@ def laid(
 
 
 def _painted(at: At, half: Sides, outlines: Sequence[Outline]) -> Margin:
-    """One after the other."""
+    """The union of outlines in order, without the gaps."""
     margin = torch.full_like(at[:, 0], -1.0)
     for outline in outlines:
         own = outline.margin(at, half)
@@ -185,18 +191,18 @@ NUMBER = "F3D"  # on number plates
 
 
 def number_plate(up: float, wide: float = 0.27, high: float = 0.13) -> tuple[Outline, ...]:
-    """A number plate, its number left out."""
+    """A number plate without its number."""
     letters = Emblem((0, up), high * 0.62, text=NUMBER, gap=True)
     return Plate((0, up), (wide, high), 0.3), letters
 
 
 def on_all_sides(*outlines: Outline) -> dict[str, tuple[Outline, ...]]:
-    """The same on all four walls."""
+    """The same outlines on all four walls."""
     return dict.fromkeys(("front", "back", "sides"), outlines)
 
 
 def hazard(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
-    """A band of slanted stripes, every other one left out."""
+    """A band without every other one of its slanted stripes."""
     (x, y), (u, v), step = at, size, 2 * size[0] / count
     gaps = (
         Poly(
@@ -208,7 +214,7 @@ def hazard(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
 
 
 def slanted_bars(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
-    """Slanted bars side by side."""
+    """Slanted bars in a row."""
     (x, y), (u, v), step = at, size, 2 * size[0] / count
     starts = (x - u + (k + 0.1) * step for k in range(count))
     return tuple(
@@ -219,7 +225,8 @@ def slanted_bars(at: Pair, size: Pair, count: int) -> tuple[Outline, ...]:
 
 
 def sprite(rows: Sequence[str], at: Pair, pixel: Pair) -> tuple[Outline, ...]:
-    """A picture of squares, the runs of each row as one; ``pixel``: its half sides."""
+    """A picture of squares, one rectangle for each run in a row; ``pixel``: a square's half
+    sides."""
     found = []
     for k, row in enumerate(rows):
         up = at[1] + (len(rows) - 1 - 2 * k) * pixel[1]

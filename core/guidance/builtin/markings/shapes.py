@@ -1,4 +1,4 @@
-"""Shapes that may be drawn on a thing, as margins; each fills the square from -1 to 1."""
+"""Shapes that can be drawn on a thing, as margins; each fills the square from -1 to 1."""
 
 import math
 from collections.abc import Callable, Sequence

@@ -1,4 +1,4 @@
-"""Letters, and the land of the world: margins that are read from a picture."""
+"""Letters, and the land of the world: margins read from a picture."""
 
 import json
 from functools import cache
@@ -56,7 +56,7 @@ def read(field: Float[Tensor, "h w"], at: Float[Tensor, "p 2"]) -> Float[Tensor,
 
 @cache
 def _text_field(text: str) -> tuple[Float[Tensor, "h w"], tuple[float, float]]:
-    """The margins of a picture's pixels, and its size."""
+    """Margins of a picture's pixels, and the size of the picture."""
     font = ImageFont.load_default(SIZE)
     blank = ImageDraw.Draw(Image.new("L", (1, 1)))
     left, top, right, bottom = blank.multiline_textbbox((0, 0), text, font, align="center")
@@ -73,7 +73,7 @@ def _text_field(text: str) -> tuple[Float[Tensor, "h w"], tuple[float, float]]:
 
 @cache
 def _land_field() -> Float[Tensor, "h w"]:
-    """Of the whole world, longitude by latitude."""
+    """Margins of the land of the whole world, longitude by latitude."""
     picture = Image.new("L", (360 * PER_DEGREE, 180 * PER_DEGREE))
     draw = ImageDraw.Draw(picture)
     for ring in json.loads(LAND.read_text("utf-8")):
@@ -83,6 +83,6 @@ def _land_field() -> Float[Tensor, "h w"]:
 
 
 def margins_of(inside: np.ndarray) -> np.ndarray:
-    """Of a picture's pixels, in pixels."""
+    """Margins of a picture's pixels, in pixels."""
     within, beyond = map(np.asarray, map(ndimage.distance_transform_edt, (inside, ~inside)))
     return within - beyond

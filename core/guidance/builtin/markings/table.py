@@ -1,4 +1,4 @@
-"""Which thing has which markings (:mod:`core.guidance.builtin.markings.markings`)."""
+"""The markings of all things (:mod:`core.guidance.builtin.markings.markings`)."""
 
 from core.guidance.builtin.markings.marking import Rows
 from core.guidance.builtin.markings.rows.aircraft_and_space import AIRCRAFT_AND_SPACE

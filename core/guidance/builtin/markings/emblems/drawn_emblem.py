@@ -1,5 +1,5 @@
-"""What a prompt wants drawn on the thing (``core.guidance.builtin.words.emblems``): where it comes
-to lie, and its colour."""
+"""An emblem of a prompt (``core.guidance.builtin.words.emblems``) on a thing: its place and its
+colour."""
 
 import colorsys
 import textwrap
@@ -23,10 +23,10 @@ from core.guidance.builtin.words.emblems import METALS, STRIPES, Emblem
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_names
 
-FULL = 0.8  # of the place that there is, what a text or a shape fills
-BOLD = 0.03  # of a capital's height: how much farther out its strokes go than the font's
-LINE = 10  # letters, from which a text goes on in another line
-# Parts that are made to be written on; and what is on none.
+FULL = 0.8  # fraction of its place that a text or a shape fills
+BOLD = 0.03  # of a capital's height: how much wider its strokes are than the font's
+LINE = 10  # letters: a longer text has several lines
+# Parts that are made to be written on, and parts without writing.
 BOARDS = frozenset(
     """label labels sign board boards plate paper pages page canvas cover covers badge panel panels
     cloth doors door shield sail sticker wrapper sleeve screen belly""".split()
@@ -34,7 +34,7 @@ BOARDS = frozenset(
 TRUNK = ("chest", "torso", "tummy", "breast")
 DOORS = ("door", "doors")
 NOT_ON = frozenset("wheels hubs tyres windows eyes lamps hair legs feet hands".split())
-COLORS: dict[str, Color] = {  # where the prompt names none
+COLORS: dict[str, Color] = {  # where the prompt names no colour
     "heart": (0.84, 0.10, 0.16),
     "star": (0.96, 0.78, 0.20),
     "flame": (0.95, 0.38, 0.08),
@@ -49,8 +49,8 @@ COLORS: dict[str, Color] = {  # where the prompt names none
     "anchor": (0.10, 0.17, 0.36),
     "leaf": (0.25, 0.55, 0.22),
 }
-MAIN = 0.6  # of the most worth: on parts of less nothing is scattered
-CLEAR = 0.3  # of one channel, by which a colour must differ from what it is on
+MAIN = 0.6  # fraction of the most worth: nothing is scattered on parts of less
+CLEAR = 0.3  # least difference of one channel from the colour below
 VIVID, SAME_HUE = 0.3, 0.08  # saturation; of the circle
 STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in halves of the width
 
@@ -58,7 +58,7 @@ STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in ha
 def drawn_on(
     noun: str, emblems: Sequence[Emblem], parts: KnownParts, paints: list[Painted]
 ) -> "list[Drawn]":
-    """All of an object's; the paints of what one would not be seen on change."""
+    """All emblems of an object; changes paints on which an emblem would not be visible."""
     found: list[Drawn] = []
     for emblem in emblems:
         found.append(Drawn(emblem, noun, parts, paints, found))
@@ -67,7 +67,8 @@ def drawn_on(
 
 
 class Drawn:
-    """An emblem on one object: its paint, and the distances of the parts with it as the last."""
+    """An emblem on one object: its paint, and the parts' distances with the emblem's as the
+    last."""
 
     def __init__(
         self,
@@ -77,16 +78,16 @@ class Drawn:
         paints: list[Painted],
         before: "Sequence[Drawn]" = (),
     ) -> None:
-        """``before``: what is on the object already, and is at the end of the distances."""
+        """``before``: emblems that are already on the object, at the end of the distances."""
         self.emblem, self.count = emblem, len(paints) + len(before)
         self.text = _in_lines(emblem.text)
         wide, high = text_size(self.text) if self.text else (1.0, 1.0)
         self.high = high
         side = emblem.side or ("front" if is_creature(noun) else "")
         on = "body" if emblem.on in TRUNK else emblem.on
-        # What lies on another as paint does has no surface.
+        # A marking has no surface of its own.
         asked = [bearer_of(noun, name) for name in own_names(noun, on)] if on else []
-        if on in DOORS and not asked:  # a car's are seams on its body
+        if on in DOORS and not asked:  # a car's doors are lines on its body
             side = side or "side"
         worth = [_worth(paint, asked, emblem) for paint in paints]
         self.window: Window | None = None
@@ -103,25 +104,25 @@ class Drawn:
         else:
             taken = [one.window for one in before if one.window]
             self.window = window_on(parts, worth, wide / high, side, taken)
-            if self.window is None and asked:  # there is no room: anywhere
+            if self.window is None and asked:  # without room there, anywhere
                 worth = [_worth(paint, [], emblem) for paint in paints]
                 self.window = window_on(parts, worth, wide / high, side, taken)
             self.on = self.window.part if self.window else 0
         if self.scattered is None:
             self.over = [self.on]
         self.bears = [part for part, much in enumerate(worth) if much > 0]
-        if self.stripes is not None:  # no helmet has them, and no wing
+        if self.stripes is not None:  # not on helmets and wings
             self.bears = [self.on, *(k for k, x in enumerate(paints) if x.look.role == "*")]
         self.bears += range(len(paints), self.count)
         self.paint = _painted(paints[self.on], emblem)
 
     @property
     def has_place(self) -> bool:
-        """Whether it is to be seen at all."""
+        """Whether any of it is visible."""
         return any(one is not None for one in (self.window, self.stripes, self.scattered))
 
     def make_seen(self, paints: list[Painted]) -> None:
-        """Change the paints that it is on, where these have their colour by nature."""
+        """Change the paints below it that have their natural colour, so that it is visible."""
         for part in self.over:
             on = paints[part]
             seen = differ(on.color, self.paint.color) and not alike(on.color, self.paint.color)
@@ -132,11 +133,11 @@ class Drawn:
     def __call__(
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
     ) -> Float[Tensor, "n q"]:
-        """Of the parts, and of the emblem."""
+        """The parts' distances, and the emblem's."""
         found, margin = distances[:, : self.count].clone(), self._margin(points)
-        lies = found[:, self.bears]
-        found[:, self.bears] = torch.maximum(lies, margin[:, None])
-        return torch.cat([found, torch.maximum(lies.amin(1), -margin)[:, None]], 1)
+        below = found[:, self.bears]
+        found[:, self.bears] = torch.maximum(below, margin[:, None])
+        return torch.cat([found, torch.maximum(below.amin(1), -margin)[:, None]], 1)
 
     def _margin(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """How far inside the emblem, training units."""
@@ -175,7 +176,8 @@ def _worth(paint: Painted, asked: list[str], emblem: Emblem) -> float:
 
 
 def _painted(on: Painted, emblem: Emblem) -> Painted:
-    """Its colour on what it lies on: the same stuff where that takes paint, or paint."""
+    """Its colour on the part below: of the same material where that takes paint, otherwise
+    paint."""
     color = _color(on.color, emblem)
     look = on.look._replace(role="+", color=color, pattern="")
     own = on._replace(name="emblem", look=look, color=color, second=color, pattern="", tone="")
@@ -204,12 +206,12 @@ def _color(on: Color, emblem: Emblem) -> Color:
 
 
 def differ(one: Color, other: Color) -> bool:
-    """Whether the one is seen on the other."""
+    """Whether one colour is visible on the other."""
     return max(abs(a - b) for a, b in zip(one, other, strict=True)) > CLEAR
 
 
 def alike(one: Color, other: Color) -> bool:
-    """Whether both are of one hue: light blue and navy."""
+    """Whether both have one hue, such as light blue and navy."""
     (hue, full, _), (hue_2, full_2, _) = (colorsys.rgb_to_hsv(*color) for color in (one, other))
     away = abs(hue - hue_2)
     return min(full, full_2) > VIVID and min(away, 1 - away) < SAME_HUE

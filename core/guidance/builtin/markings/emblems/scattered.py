@@ -16,14 +16,14 @@ from core.guidance.builtin.markings.shapes import shape_margin
 
 HALF = 0.1  # of a shape, times the thing's longest side
 FEWEST = 8  # shapes, or they are smaller
-SIZES, SMALLER = 5, 0.75  # that are tried, each so many times the one before
+SIZES, SMALLER = 5, 0.75  # sizes to try, each this fraction of the one before
 APART = 2.9  # halves, from one middle to the next
-DEEP = 0.4  # halves: on the other side of a mug's wall there is none
+DEEP = 0.4  # halves: depth, so that none is on the other side of a mug's wall
 EVEN = 0.85  # the mean normal's length around a middle, at least
-OPPOSITE = -0.3  # cosine: a normal of the other side of a wall
+OPPOSITE = -0.3  # cosine between the normals of both sides of a wall
 TRIED = 6000  # places
 TILT = math.radians(18)  # at most
-UPRIGHT = 0.9  # of a normal's z, from which "up" is to the back
+UPRIGHT = 0.9  # of a normal's z: above it "up" is to the back
 
 
 class Scattered(NamedTuple):
@@ -47,7 +47,7 @@ class Scattered(NamedTuple):
 
 
 def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
-    """All over these parts, evenly; None where they have no room."""
+    """Evenly placed shapes on these parts; None without room."""
     places, normals, of = surface_places(parts)
     here = np.isin(of, on)
     places, normals = places[here], normals[here]
@@ -77,11 +77,11 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
 def _apart(
     places: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"], tree: KDTree, half: float
 ) -> list[int]:
-    """Places that are far enough from one another, where the surface is even."""
+    """Places far enough from one another, where the surface is even."""
     tried = np.random.default_rng(0).permutation(len(places))[:TRIED]
     inward = ((places - places.mean(0)) * normals).sum(1)[tried] < 0
     found: list[int] = []
-    for index in tried[np.argsort(inward, kind="stable")]:  # what is seen from outside first
+    for index in tried[np.argsort(inward, kind="stable")]:  # outer surfaces first
         place = places[index]
         if found and np.linalg.norm(places[found] - place, axis=1).min() < APART * half:
             continue

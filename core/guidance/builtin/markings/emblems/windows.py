@@ -1,5 +1,5 @@
-"""Where on a thing a text or a shape has room: the largest even enough rectangle that looks to the
-front, to the sides or upwards."""
+"""The place of a text or a shape on a thing: the largest nearly even rectangle that faces the
+front, a side or up."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -16,21 +16,21 @@ from core.geometry.tet_grid import EXTENT
 
 CELLS = 72  # of the picture of a thing, along an edge
 SAMPLES = 240_000  # places of its surface
-ABOUT = 0.9  # of the largest rectangle's side: one nearer to the middle is taken before it
-HOLES = 0.05  # of a rectangle that need not be even
-FACING = 0.55  # cosine to the way that a place looks, at least
-ASIDE = 0.9  # less is a rectangle worth at a thing's edge than in its middle
-SMALL = 0.06  # of what is seen: nothing is written on a part that is smaller
-STEP = 0.3  # training units: no deeper from a cell to the next
+ABOUT = 0.9  # of the largest side: a rectangle as large and nearer to the middle replaces it
+HOLES = 0.05  # fraction of a rectangle that may be uneven
+FACING = 0.55  # least cosine between the direction and a place's normal
+ASIDE = 0.9  # loss of a rectangle's worth at a thing's edge
+SMALL = 0.06  # fraction of the seen area: nothing is written on a smaller part
+STEP = 0.3  # largest step in depth from a cell to the next, training units
 
 
 class Way(NamedTuple):
-    """A way that a thing is looked at from."""
+    """A direction from which a thing is seen."""
 
     to: tuple[int, int]  # the axis towards the eye, and its side
     right: tuple[int, int]
     up: tuple[int, int]
-    worth: float  # of a place there, where nobody asks for it
+    worth: float  # of a place there, where the prompt names no side
 
 
 WAYS = {
@@ -44,15 +44,16 @@ WAYS = {
 class Window(NamedTuple):
     """A rectangle on a thing."""
 
-    part: int  # that most of it lies on
+    part: int  # the one that most of it is on
     way: Way
     middle: tuple[float, float]  # along the axes to the right and up
     half: float  # of its height, training units
-    behind: float  # along ``way.to``: what lies farther off is not in it
+    behind: float  # along ``way.to``: the plane that limits its depth
     wide: float = 1.0  # times as wide as high
 
     def at(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, "p 2"]:
-        """Where places are seen, from its middle in its own halves; from the side, on both."""
+        """Positions of places in the window, from its middle in its halves; seen from the side, on
+        both sides."""
         (axis, side), (u, way_u), (v, way_v) = self.way.to, self.way.right, self.way.up
         mirrored = points[:, axis].sign() * side if axis == 0 else 1.0
         right = (points[:, u] - self.middle[0]) * way_u * mirrored
@@ -60,21 +61,21 @@ class Window(NamedTuple):
         return torch.stack([right, up], 1) / self.half
 
     def before(self, points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-        """How far on its side places are."""
+        """How far in front of the window's back plane places are."""
         axis, side = self.way.to
         toward = points[:, axis].abs() if axis == 0 else points[:, axis] * side
         return toward - self.behind
 
 
 class Seen(NamedTuple):
-    """A thing from one way, in cells as much wider than high as what is to be drawn on it."""
+    """A thing seen from one direction, in cells with the proportions of what is drawn on it."""
 
-    part: Int[np.ndarray, "r c"]  # -1 is none, or what looks elsewhere
+    part: Int[np.ndarray, "r c"]  # -1: none, or one that faces elsewhere
     near: Float[np.ndarray, "r c"]  # towards the eye
     wide: float  # of a cell, training units
 
     def covered(self, window: Window) -> Bool[np.ndarray, "r c"]:
-        """Which cells are in a window from the same way."""
+        """The cells in a window of the same direction."""
         rows, columns = self.part.shape
         u = (np.arange(columns) + 0.5 - columns / 2) * self.wide - window.middle[0]
         v = (np.arange(rows) + 0.5) * (2 * EXTENT / CELLS) - EXTENT - window.middle[1]
@@ -89,12 +90,12 @@ def window_on(
     asked: str = "",
     taken: Sequence[Window] = (),
 ) -> Window | None:
-    """The best one for what is ``wide`` times as wide as high; None where there is none.
+    """The best window for content ``wide`` times as wide as high; None without one.
 
     Args:
-        worth: of each part, of a place there; 0: not there.
-        asked: one of ``WAYS``, or any but the back.
-        taken: what has something on it already.
+        worth: by part, the worth of a place on it; 0: never there.
+        asked: one of ``WAYS``; "": any but the back.
+        taken: windows in use.
     """
     surface = surface_places(parts)
     found = []
@@ -113,7 +114,7 @@ def surface_places(
     parts: KnownParts,
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Int[np.ndarray, " n"]]:
     """Places on the exact surfaces of all pieces, their normals and parts."""
-    import trimesh  # half a second, of those that have something drawn on them alone
+    import trimesh  # takes half a second; needed only for things with emblems
 
     meshes = [
         trimesh.Trimesh(*parts.surface_of(k), process=False) for k in range(len(parts.pieces))
@@ -130,13 +131,13 @@ def surface_places(
 
 
 def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wide: float) -> Seen:
-    """What of the places is nearest to the eye."""
+    """The places nearest to the eye."""
     (axis, side), (u, _), (v, _) = way.to, way.right, way.up
     toward, cell = places[:, axis] * side, 2 * EXTENT / CELLS
     columns = int(np.ceil(CELLS / wide)) + 2
     column = np.floor(places[:, u] / (cell * wide) + columns / 2).astype(int)
     row = np.floor((places[:, v] + EXTENT) / cell).astype(int)
-    # What is bent by a guide may stand out of the cube.
+    # A bent solid may leave the cube.
     here = (row >= 0) & (row <= CELLS) & (column >= 0) & (column < columns)
     row, column, toward, normals, of = (x[here] for x in (row, column, toward, normals, of))
     index = row * columns + column
@@ -149,13 +150,12 @@ def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wid
 
 
 def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tuple[float, Window]]":
-    """The largest rectangles, on any of the parts and on those of the most worth, and what each is
-    worth."""
+    """The largest windows on all parts and on those of the most worth, each with its worth."""
     cell, found = 2 * EXTENT / CELLS, []
-    share = np.bincount(seen.part[seen.part >= 0], minlength=len(worth)) / max(
+    fraction = np.bincount(seen.part[seen.part >= 0], minlength=len(worth)) / max(
         (seen.part >= 0).sum(), 1
     )
-    worth = np.where(share >= SMALL, worth, 0.0)  # knobs and buttons
+    worth = np.where(fraction >= SMALL, worth, 0.0)  # knobs and buttons
     of_cell = np.where(seen.part >= 0, worth[seen.part], 0.0)
     center = seen.part.shape[1] / 2  # the column of the middle
     for least in np.unique(worth[worth > 0]):
@@ -180,8 +180,8 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
 
 
 def largest_square(mask: Bool[np.ndarray, "r c"]) -> tuple[int, tuple[int, int]]:
-    """The side of about the largest square of which next to all is True, and its first row and
-    column: of those that are ``ABOUT`` as large the one that is nearest to the middle."""
+    """The side of about the largest square that is nearly all True, and its first row and column;
+    of squares ``ABOUT`` as large, the one nearest to the middle."""
     before = np.pad(mask.astype(int).cumsum(0).cumsum(1), ((1, 0), (1, 0)))
 
     def squares(side: int) -> Bool[np.ndarray, "n m"]:

@@ -8,6 +8,7 @@ import torch
 from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
+    Pair,
     Points,
     all_of,
     any_of,
@@ -15,7 +16,6 @@ from core.guidance.builtin.markings.margins import (
     strokes,
     within,
 )
-from core.guidance.builtin.markings.outlines import Pair
 from core.guidance.builtin.markings.shapes import shape_margin
 
 ARROW = ((-0.62, -0.62), (0.3, -0.62), (0.3, -0.84), (0.72, -0.46), (0.3, -0.08), (0.3, -0.3),
@@ -28,14 +28,15 @@ F_HOLE += ((0.59, -0.32), (0.65, -0.3), (0.66, -0.24))
 def stamp(
     points: Points, half: Half, shape: str, size: float, at: tuple[float, float] = (0.0, 0.0)
 ) -> Margin:
-    """A shape on the front: its ``size`` in halves of the width, its middle in halves."""
+    """A shape on the front: its ``size`` in halves of the width, its middle in halves of the
+    part."""
     x, z = points[:, 0] - at[0] * half[0], points[:, 2] - at[1] * half[2]
     size = size * float(half[0])
     return all_of(shape_margin(torch.stack([x, z], 1) / size, shape) * size, in_front(points))
 
 
 def badge(points: Points, half: Half, radius: float, shape: str) -> Margin:
-    """A disc on the front with a shape left out of it; ``radius`` in halves of the width."""
+    """A disc on the front without a shape; ``radius`` in halves of the width."""
     whole = stamp(points, half, "circle", radius / 0.9)
     return all_of(whole, -stamp(points, half, shape, 0.72 * radius))
 
@@ -43,14 +44,14 @@ def badge(points: Points, half: Half, radius: float, shape: str) -> Margin:
 def emblem(
     points: Points, half: Half, shape: str, size: float, at: tuple[float, float] = (0.0, 0.0)
 ) -> Margin:
-    """A shape through the cloth, its ``size`` in halves of the height, its middle in halves of the
+    """A shape through a cloth: its ``size`` in halves of the height, its middle in halves of the
     cloth."""
     x, z = points[:, 0] - at[0] * half[0], points[:, 2] - at[1] * half[2]
     return shape_margin(torch.stack([x, z], 1) / (size * half[2]), shape) * size * half[2]
 
 
 def kit_on_sides(points: Points, half: Half) -> Margin:
-    """An ambulance's cross on both sides, and a stripe about it."""
+    """An ambulance's cross on both sides, and a stripe around it."""
     y, z = points[:, 1] - 0.38 * half[1], points[:, 2] - 0.14 * half[2]
     size = 0.58 * half[2]
     cross = shape_margin(torch.stack([y, z], 1) / size, "cross") * size
@@ -65,8 +66,13 @@ def scattered(
     places: Sequence[tuple[float, float, float]],
     steep: float = 1.0,
 ) -> Margin:
-    """Shapes about an upright axis: of each the turn from the front in degrees, the height in
-    halves and the size in halves of the width; ``steep``: the surface's way over its rise."""
+    """Shapes around an upright axis.
+
+    Args:
+        places: for each shape the turn from the front in degrees, the height in halves and the size
+            in halves of the width.
+        steep: the slope's length over its rise.
+    """
     x, y, z = points.unbind(1)
     turn, flat = torch.atan2(x, -y), torch.hypot(x, y)
     margins = []
@@ -79,7 +85,7 @@ def scattered(
 
 
 def recycling(points: Points, half: Half, at: Sequence[Pair], size: float) -> Margin:
-    """Three arrows that follow one another in a triangle, on the front and on the back; places in
+    """Three arrows in a triangle, each after the other, on the front and on the back; places in
     halves, the size in halves of the height."""
     size, arrow = size * float(half[2]), points.new_tensor(ARROW)
     margins = []
@@ -95,7 +101,7 @@ def recycling(points: Points, half: Half, at: Sequence[Pair], size: float) -> Ma
 
 
 def f_holes(points: Points, half: Half) -> Margin:
-    """A violin's two."""
+    """The two sound holes of a violin."""
     scale = points.new_tensor([half[0], half[2]])
     at = torch.stack([points[:, 0].abs(), points[:, 2]], 1)
     curve = points.new_tensor(F_HOLE) * scale
@@ -104,7 +110,7 @@ def f_holes(points: Points, half: Half) -> Margin:
 
 
 def spider_mark(points: Points, half: Half) -> Margin:
-    """An hourglass on its back."""
+    """An hourglass on a spider's back."""
     along, side = points[:, 1] - 0.5 * half[1], points[:, 0].abs()
     wide = 0.03 + 0.5 * along.abs()
     return all_of((wide - side) * 0.85, 0.17 - along.abs(), points[:, 2])

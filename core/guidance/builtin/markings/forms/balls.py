@@ -9,8 +9,7 @@ import torch.nn.functional as F
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings.forms.lettering import Vector
-from core.guidance.builtin.markings.margins import Half, Margin, Marks, Points, all_of, any_of
+from core.guidance.builtin.markings.margins import Half, Margin, Marks, Points, Way, all_of, any_of
 
 PHI = (1 + math.sqrt(5)) / 2
 PENTAGON, HEXAGON = 2.3274, 2.2673  # of a truncated icosahedron: how far its faces are, edges of 1
@@ -19,15 +18,15 @@ SEAM = 0.012  # half a seam's width
 
 
 def facing(points: Points, normals: Sequence[Sequence[float]]) -> Float[Tensor, "p n"]:
-    """The cosine between each place and each normal."""
+    """Cosines between the directions of places and ``normals``."""
     way = F.normalize(points, dim=1)
     return way @ F.normalize(way.new_tensor(normals), dim=1).T
 
 
 @cache
 def _football() -> tuple[list[list[float]], list[list[float]]]:
-    """The middles of a truncated icosahedron's pentagons and hexagons, a pentagon a little above
-    the front."""
+    """Middles of the pentagons and of the hexagons of a truncated icosahedron, with a pentagon a
+    little above the front."""
     even = [(0.0, a, b * PHI) for a in (1, -1) for b in (1, -1)]
     corners = torch.tensor([p[k:] + p[:k] for p in even for k in range(3)])
     near = (corners @ corners.T) > 1  # neighbours have PHI
@@ -46,7 +45,7 @@ def _football() -> tuple[list[list[float]], list[list[float]]]:
 
 
 def pentagons(points: Points, half: Half) -> Margin:
-    """The twelve dark ones of a football."""
+    """The twelve dark pentagons of a football."""
     five, six = _football()
     dark, light = facing(points, five).amax(1) / PENTAGON, facing(points, six).amax(1) / HEXAGON
     return (dark - light) * (half.mean() * PENTAGON / (2 * APART))
@@ -60,7 +59,8 @@ def football_seams(points: Points, half: Half) -> Margin:
 
 
 def gores(points: Points, half: Half, number: int) -> Margin:
-    """One of a beach ball's six, from cap to cap about an axis that leans to the front."""
+    """One of the six gores of a beach ball, from cap to cap about an axis that leans to the
+    front."""
     c, s = math.cos(0.6), math.sin(0.6)
     x, y, z = F.normalize(points, dim=1).unbind(1)
     x, y, z = x, c * y - s * z, s * y + c * z
@@ -72,7 +72,7 @@ def gores(points: Points, half: Half, number: int) -> Margin:
 
 
 def _tennis_curve(points: Points) -> tuple[Tensor, Tensor]:
-    """Of a tennis ball's curve, z = 1.3 (x² - y²): the way to it, signed, in radii; and the angle
+    """Signed distances in radii from the curve of a tennis ball, z = 1.3 (x² - y²), and angles
     about the vertical."""
     x, y, z = F.normalize(points, dim=1).roll(1, 1).unbind(1)
     value = z - 1.3 * (x * x - y * y)
@@ -83,12 +83,13 @@ def _tennis_curve(points: Points) -> tuple[Tensor, Tensor]:
 
 
 def tennis_seam(points: Points, half: Half) -> Margin:
-    """The curve about a tennis ball."""
+    """The curve around a tennis ball."""
     return (0.05 - _tennis_curve(points)[0].abs()) * half.mean()
 
 
 def baseball_stitches(points: Points, half: Half) -> Margin:
-    """A baseball's: the same curve, and strokes across it that lean to both sides."""
+    """A baseball's seam, the curve of a tennis ball, with strokes across it that lean to both
+    sides."""
     away, angle = _tennis_curve(points)
     way = angle * (72 / math.tau) + 5.0 * away.abs()
     stroke = (0.24 - (way - way.round()).abs()) * (math.tau / 72)
@@ -96,8 +97,8 @@ def baseball_stitches(points: Points, half: Half) -> Margin:
 
 
 def _volleyball_angles(points: Points) -> tuple[Tensor, Tensor]:
-    """Of a volleyball, whose faces are a cube's with three bands each: the angle from the middle of
-    the band, and from the face's border."""
+    """Angles from the middle of a volleyball's band and from the border of its face; its six faces
+    are a cube's, with three bands each."""
     size, order = points.abs().sort(1, descending=True)
     axis = order[:, 0]
     across = points.gather(1, ((axis + 1) % 3)[:, None])[:, 0]
@@ -105,29 +106,29 @@ def _volleyball_angles(points: Points) -> tuple[Tensor, Tensor]:
 
 
 def volleyball_bands(points: Points, half: Half) -> Margin:
-    """The middle ones."""
+    """The middle band of each face of a volleyball."""
     band, border = _volleyball_angles(points)
     return all_of(math.pi / 12 - band, border) * half.mean()
 
 
 def volleyball_seams(points: Points, half: Half) -> Margin:
-    """The lines between all."""
+    """The lines between the bands and the faces of a volleyball."""
     band, border = _volleyball_angles(points)
     return SEAM - torch.minimum((band - math.pi / 12).abs(), border) * half.mean()
 
 
-def cap(points: Points, half: Half, wide: float, way: Vector = (0.0, -1.0, 0.0)) -> Margin:
-    """What of a ball is within ``wide`` radians of a direction."""
+def cap(points: Points, half: Half, wide: float, way: Way = (0.0, -1.0, 0.0)) -> Margin:
+    """The part of a ball within ``wide`` radians of a direction."""
     return (wide - facing(points, [way])[:, 0].clamp(-1, 1).acos()) * half.mean()
 
 
-def caps(points: Points, half: Half, wide: float, ways: Sequence[Vector]) -> Margin:
-    """The same of several directions."""
+def caps(points: Points, half: Half, wide: float, ways: Sequence[Way]) -> Margin:
+    """The same for several directions."""
     return any_of(*(cap(points, half, wide, way) for way in ways))
 
 
 def dimples(points: Points, half: Half, count: int = 180, wide: float = 0.075) -> Margin:
-    """Spots that are spread evenly: a spiral with the golden angle (Vogel 1979)."""
+    """Spots spread evenly over a ball: a spiral with the golden angle (Vogel 1979)."""
     k = torch.arange(count).to(points)
     z, angle = 1 - (2 * k + 1) / count, k * (math.pi * (3 - math.sqrt(5)))
     flat = (1 - z * z).sqrt()
@@ -137,6 +138,6 @@ def dimples(points: Points, half: Half, count: int = 180, wide: float = 0.075) -
 
 
 def at_top(points: Points, half: Half, marks: Marks) -> Margin:
-    """What is on the ball that the upper end of something is, of the same width."""
+    """A ball's marking on a part with a ball of the same width at its upper end."""
     up = torch.stack([half[0] * 0, half[0] * 0, half[2] - half[0]])
     return marks(points - up, half[0].expand(3))

@@ -20,8 +20,8 @@ FACES = {(1, -1): 1, (2, 1): 2, (0, 1): 3, (0, -1): 4, (2, -1): 5, (1, 1): 6}  #
 
 
 def _on_faces(points: Points, half: Half) -> list[tuple[int, int, Tensor, Tensor]]:
-    """Of a cube's six faces the axis, the side, which places are nearest to it, and where these lie
-    on it, in halves of the cube."""
+    """For each face of a cube: its axis, its side, a mask of the places nearest to it, and their
+    positions on it in halves of the cube."""
     at = points / half
     axis = at.abs().argmax(1)
     found = []
@@ -33,7 +33,7 @@ def _on_faces(points: Points, half: Half) -> list[tuple[int, int, Tensor, Tensor
 
 
 def pips(points: Points, half: Half) -> Margin:
-    """A die's; opposite faces add to seven."""
+    """The pips of a die; opposite faces add to seven."""
     margin = torch.full_like(points[:, 0], -1.0)
     for axis, side, here, at in _on_faces(points, half):
         middles = at.new_tensor(PIPS[FACES[axis, side]]) * 0.48
@@ -43,7 +43,8 @@ def pips(points: Points, half: Half) -> Margin:
 
 @cache
 def _scrambled() -> Int[Tensor, "6 3 3"]:
-    """A puzzle cube's colours by face, row and column: nine of each, the middles in place."""
+    """Colours of a scrambled puzzle cube by face, row and column: nine of each, the middles in
+    place."""
     others = torch.arange(6).repeat_interleave(8)[torch.randperm(48, generator=_generator())]
     faces = torch.empty(6, 9, dtype=torch.long)
     faces[:, 4] = torch.arange(6)
@@ -56,7 +57,7 @@ def _generator() -> torch.Generator:
 
 
 def stickers(points: Points, half: Half, color: int) -> Margin:
-    """Those of one of a puzzle cube's six colours, as it lies when somebody has turned it."""
+    """The stickers of one of the six colours of a scrambled puzzle cube."""
     margin = torch.full_like(points[:, 0], -1.0)
     for axis, side, here, at in _on_faces(points, half):
         cell = (at * 1.5).round().clamp(-1, 1)

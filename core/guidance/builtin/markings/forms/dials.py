@@ -22,7 +22,7 @@ def hours(points: Points, half: Half, radius: float) -> Margin:
 
 
 def meter_marks(points: Points, half: Half, count: int = 7) -> Margin:
-    """Strokes along the half round window of a parking meter, by its head."""
+    """Strokes along the half-round window of a parking meter, given the box of its head."""
     x, z = points[:, 0], points[:, 2] - (half[2] - half[0])
     step = math.pi / (count + 1)
     turn = torch.atan2(x, z) / step
@@ -33,7 +33,7 @@ def meter_marks(points: Points, half: Half, count: int = 7) -> Margin:
 
 
 def dial_holes(points: Points, half: Half, count: int = 10) -> Margin:
-    """Of a dial that leans back, the lowest on the right left out."""
+    """Finger holes of a dial that leans back, without the lowest on the right."""
     along = half[1:] / half[1:].norm()
     at = torch.stack([points[:, 0], points[:, 1:] @ along], 1)
     angles = [math.radians(-20 + 270 * k / (count - 1)) for k in range(count)]
@@ -42,7 +42,7 @@ def dial_holes(points: Points, half: Half, count: int = 10) -> Margin:
 
 
 def rose(points: Points, half: Half, radius: float) -> Margin:
-    """A compass's: the letters of the four winds, and strokes between them along its rim."""
+    """A compass rose: the letters of the four winds, and strokes between them along the rim."""
     x, z, r = points[:, 0], points[:, 2], radius * half[0]
     part = torch.atan2(x, z) * (12 / math.pi)
     nearest, away = part.round(), points[:, [0, 2]].norm(dim=1)
@@ -59,7 +59,7 @@ def rose(points: Points, half: Half, radius: float) -> Margin:
 
 
 def inches(points: Points, half: Half) -> Margin:
-    """A ruler's, by quarters along its upper edge, with their numbers."""
+    """Marks of quarter inches along the upper edge of a ruler, with the numbers of the inches."""
     pitch = 2 * (half[0] - 0.03) / INCHES
     quarter = points[:, 0] / pitch * 4
     nearest = quarter.round().clamp(-2 * INCHES, 2 * INCHES)
@@ -78,7 +78,7 @@ def inches(points: Points, half: Half) -> Margin:
 
 
 def scale_marks(points: Points, half: Half) -> Margin:
-    """A flask's: level strokes on its front, every other one longer."""
+    """Level strokes on the front of a flask, every other one longer."""
     margins = []
     for k, at in enumerate((-0.86, -0.68, -0.5, -0.32)):
         long, up = (0.36, 0.24)[k % 2] * half[0], (points[:, 2] - at * half[2]).abs()

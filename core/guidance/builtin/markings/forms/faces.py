@@ -10,6 +10,7 @@ from core.guidance.builtin.markings.margins import (
     UP,
     Half,
     Margin,
+    Pair,
     Points,
     Way,
     all_of,
@@ -18,21 +19,18 @@ from core.guidance.builtin.markings.margins import (
     strokes,
     unit,
 )
-from core.guidance.builtin.markings.outlines import Pair
-
-At = tuple[float, float]
 
 
 class Face(NamedTuple):
-    """The front of a round head that ends at the top of what bears the marking."""
+    """The front of a round head whose top is that of the part with the marking."""
 
-    share: float = 1.0  # the head's radius in halves of the bearer's width
+    fraction: float = 1.0  # the head's radius in halves of the bearer's width
     radius: float = 0.0  # the same in training units, where the bearer's width is not the head's
     axis: int = 0  # 2: in halves of its height
 
     def places(self, points: Points, half: Half) -> tuple[Tensor, float]:
-        """To the right of the head's middle and above it, in radii; and the radius."""
-        size = self.radius or self.share * float(half[self.axis])
+        """Positions to the right of the head's middle and above it, in radii; and the radius."""
+        size = self.radius or self.fraction * float(half[self.axis])
         up = points[:, 2] - float(half[2]) + size
         return torch.stack([points[:, 0], up], 1) / size, size
 
@@ -41,9 +39,9 @@ HEAD = Face()
 
 
 def ovals(
-    points: Points, half: Half, at: At, size: At, face: Face = HEAD, both: bool = True
+    points: Points, half: Half, at: Pair, size: Pair, face: Face = HEAD, both: bool = True
 ) -> Margin:
-    """Two on a face, alike on both sides, or only that at ``at``; all in head radii."""
+    """Two ovals on a face, mirrored, or only the one at ``at``; all in head radii."""
     place, radius = face.places(points, half)
     middles = [at, (-at[0], at[1])] if both else [at]
     found = []
@@ -54,16 +52,16 @@ def ovals(
 
 
 def face_glints(
-    points: Points, half: Half, at: At, size: At, face: Face = HEAD, large: float = 0.42
+    points: Points, half: Half, at: Pair, size: Pair, face: Face = HEAD, large: float = 0.42
 ) -> Margin:
-    """The light in two eyes, at the upper left of each: a ``large`` one and a small one."""
+    """Reflections in two eyes, at the upper left of each: a ``large`` one and a small one."""
     place, radius = face.places(points, half)
     found = []
     for side in (-1, 1):
-        for across, up, share in ((-0.3, 0.36, large), (0.28, -0.42, large / 2)):
+        for across, up, fraction in ((-0.3, 0.36, large), (0.28, -0.42, large / 2)):
             middle = (side * at[0] + across * size[0], at[1] + up * size[1])
             away = (place - place.new_tensor(middle)).norm(dim=1)
-            found.append(share * size[0] - away)
+            found.append(fraction * size[0] - away)
     return all_of(any_of(*found) * radius, in_front(points))
 
 
@@ -76,8 +74,14 @@ def smile(
     deep: float = 0.35,
     line: float = 0.055,
 ) -> Margin:
-    """A line that is bent up at its ends: its middle's height, half its width and half the line's,
-    in head radii; ``deep``: how far the ends are above the middle, in half widths."""
+    """A line with raised ends.
+
+    Args:
+        at: the height of its middle, head radii.
+        wide: half its width, head radii.
+        deep: the height of its ends above the middle, in halves of its width.
+        line: half the line's width, head radii.
+    """
     place, radius = face.places(points, half)
     steps = [k / 4 for k in range(-4, 5)]
     curve = place.new_tensor([(wide * k, at + deep * wide * k * k) for k in steps])
@@ -88,7 +92,7 @@ MUZZLE = ((0.0, -0.36), (0.0, -0.56), (0.2, -0.72), (0.42, -0.7), (0.58, -0.5))
 
 
 def muzzle_mouth(points: Points, half: Half, line: float = 0.08) -> Margin:
-    """The mouth of a beast below its nose: a line down that parts to both sides; half the line's
+    """An animal's mouth below its nose: a line down that divides to both sides; half the line's
     width in halves of the muzzle's."""
     at = torch.stack([points[:, 0].abs(), points[:, 2]], 1) / half[0]
     return all_of(strokes(at, at.new_tensor(MUZZLE), line) * half[0], in_front(points))
@@ -100,8 +104,8 @@ SIDE = (1, 2)
 
 
 def _right_eye(points: Points, half: Half) -> tuple[Points, Half]:
-    """Of two eyes that are one piece, so that the box is wide, places from the right one's middle,
-    and half of that."""
+    """Places from the middle of the right eye, and half its box, where two eyes are one component
+    and their common box is wide."""
     aside = half[0] - half[2]
     if aside < 0.7 * half[2]:
         return points, half
@@ -109,8 +113,12 @@ def _right_eye(points: Points, half: Half) -> tuple[Points, Half]:
 
 
 def on_eye(points: Points, half: Half, spots: Sequence[tuple[Way, Pair]]) -> Margin:
-    """Ovals on an eyeball: which way each looks from its middle, and its half width and height in
-    the eyeball's radii."""
+    """Ovals on an eyeball.
+
+    Args:
+        spots: for each oval its direction from the eyeball's middle, and half its width and
+            height in the eyeball's radii.
+    """
     points, half = _right_eye(points, half)
     at = points / half
     at = at / at.norm(dim=1, keepdim=True).clamp_min(1e-6)
@@ -131,7 +139,7 @@ def on_eye(points: Points, half: Half, spots: Sequence[tuple[Way, Pair]]) -> Mar
 def eye_glints(
     points: Points, half: Half, way: Way = (0.3, -0.75, 0.6), large: float = 0.3
 ) -> Margin:
-    """The light in an eye: a large one and a small one, opposite."""
+    """Reflections in an eye: a large one and a small one opposite."""
     small = (way[0] + 0.35, way[1], way[2] - 0.85)
     return on_eye(points, half, ((way, (large, large)), (small, (large / 2, large / 2))))
 
@@ -144,8 +152,8 @@ def by_eyes(
     axes: tuple[int, int] = FRONT,
     until: float = 99.0,
 ) -> Margin:
-    """Lines on a face, seen from the front or with ``SIDE`` from the side: mouths and brows; all in
-    radii of an eye, from its middle, and no farther back than ``until``."""
+    """Lines on a face, such as mouths and brows, seen from the front or with ``SIDE`` from the
+    side: in radii of an eye from its middle, no farther back than ``until``."""
     points, half = _right_eye(points, half)
     size = half.mean()
     at = points[:, list(axes)] / size
@@ -154,8 +162,8 @@ def by_eyes(
 
 
 def about_eyes(points: Points, half: Half, middles: Sequence[Way], sizes: Way) -> Margin:
-    """What is in ellipsoids, as nostrils, cheeks and the insides of ears; in radii of an eye, from
-    its middle."""
+    """Ellipsoids on a face, such as nostrils, cheeks and the insides of ears: in radii of an eye
+    from its middle."""
     points, half = _right_eye(points, half)
     size, sides = half.mean(), points.new_tensor(sizes)
     found = []
@@ -166,7 +174,8 @@ def about_eyes(points: Points, half: Half, middles: Sequence[Way], sizes: Way) -
 
 
 def round_eyes(points: Points, half: Half, at: tuple[float, float, float], radius: float) -> Margin:
-    """Two on a front, as eyes: how far aside, ahead and below the top, in training units."""
+    """Two balls on a front, such as eyes: distances to the side, ahead and below the top in
+    training units."""
     aside, ahead, below = at
     x, y, z = points.unbind(1)
     off = torch.stack([x.abs() - aside, y + ahead, half[2] - z - below], 1)

@@ -12,7 +12,7 @@ UNION = 0.4  # of the width, of a canton
 
 
 def stripes(points: Points, half: Half) -> Margin:
-    """The six white ones of thirteen."""
+    """The six white stripes of thirteen."""
     pitch = 2 * half[2] / 13
     row = (points[:, 2] + half[2]) / pitch
     inside = 0.5 - (row - row.floor() - 0.5).abs()
@@ -20,13 +20,13 @@ def stripes(points: Points, half: Half) -> Margin:
 
 
 def canton(points: Points, half: Half) -> Margin:
-    """The upper corner at the pole, of seven stripes' height."""
+    """The upper corner at the pole, as high as seven stripes."""
     right = (2 * UNION - 1) * half[0]
     return all_of(right - points[:, 0], points[:, 2] + half[2] - 12 * half[2] / 13)
 
 
 def stars(points: Points, half: Half) -> Margin:
-    """Those on the canton: five rows of six."""
+    """Five rows of six stars on the canton."""
     wide, high = 2 * UNION * half[0] / 6, (14 / 13) * half[2] / 5
     x, z = (points[:, 0] + half[0]) / wide, (half[2] - points[:, 2]) / high
     side = 0.3 * min(float(wide), float(high))
@@ -37,25 +37,25 @@ def stars(points: Points, half: Half) -> Margin:
 
 
 def _saltire(points: Points, half: Half) -> Tensor:
-    """How far from the nearer diagonal."""
+    """Distances from the nearer diagonal."""
     x, z = points[:, 0].abs() / half[0], points[:, 2].abs() / half[2]
     return (x - z).abs() / math.hypot(1 / float(half[0]), 1 / float(half[2]))
 
 
 def crosses(points: Points, half: Half, upright: float, saltire: float) -> Margin:
-    """An upright cross and a diagonal one, as wide as so many halves of the height."""
+    """An upright cross and a diagonal one; half their widths in halves of the height."""
     straight = torch.minimum(points[:, 0].abs(), points[:, 2].abs())
     return any_of(upright * half[2] - straight, saltire * half[2] - _saltire(points, half))
 
 
 def nordic(points: Points, half: Half, wide: float) -> Margin:
-    """A cross whose upright stands nearer to the pole."""
+    """A cross whose upright is nearer to the pole."""
     away = torch.minimum((points[:, 0] + 0.28 * half[0]).abs(), points[:, 2].abs())
     return wide * half[2] - away
 
 
 def lozenge(points: Points, half: Half) -> Margin:
-    """Nearly as large as the cloth."""
+    """A lozenge nearly as large as the cloth."""
     away = points[:, 0].abs() / half[0] + points[:, 2].abs() / half[2]
     return (0.85 - away) / math.hypot(1 / float(half[0]), 1 / float(half[2]))
 

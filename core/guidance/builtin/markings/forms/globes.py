@@ -11,32 +11,32 @@ from core.guidance.builtin.markings.stencils import land
 
 
 def _upright(points: Points, lean: float) -> Points:
-    """Places on a globe whose axis leans by so many degrees to the side."""
+    """Places on a globe whose axis leans ``lean`` degrees to the side, turned upright."""
     c, s = math.cos(math.radians(lean)), math.sin(math.radians(lean))
     x, y, z = points.unbind(1)
     return torch.stack([c * x - s * z, y, s * x + c * z], 1)
 
 
 def lands(points: Points, half: Half, lean: float = 0.0) -> Margin:
-    """The world's."""
+    """The land of the world."""
     return land(_upright(points, lean)) * half.mean()
 
 
 def poles(points: Points, half: Half, lean: float = 0.0) -> Margin:
-    """The ice at the world's ends, farther out in the south."""
+    """The ice at the poles, larger in the south."""
     north = F.normalize(_upright(points, lean), dim=1)[:, 2].clamp(-1, 1).asin()
     return torch.maximum(north - math.radians(76), -north - math.radians(66)) * half.mean()
 
 
 def zones(points: Points, half: Half, spans: Spans, lean: float = 0.0) -> Margin:
-    """A planet's, between latitudes in degrees."""
+    """Bands of a planet between latitudes in degrees."""
     north = F.normalize(_upright(points, lean), dim=1)[:, 2].clamp(-1, 1).asin()
     spans = [(math.radians(low), math.radians(high)) for low, high in spans]
     return any_of(*(torch.minimum(north - a, b - north) for a, b in spans)) * half.mean()
 
 
 def craters(points: Points, half: Half) -> Margin:
-    """The moon's plains and craters."""
+    """The plains and craters of the moon."""
     on = F.normalize(points, dim=1)
     plains, rings = blobs(on, half, 0.8, (0.14, 0.34), 0.4), blobs(on, half, 0.3, (0.03, 0.09), 0.4)
     return any_of(plains, rings) * half.mean()

@@ -4,8 +4,16 @@ import math
 
 import torch
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
-from core.guidance.builtin.markings.outlines import Pair
+from core.guidance.builtin.markings.forms.frames import nearest
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
 
 
 def weave(points: Points, half: Half, around: int = 24, rows: int = 9) -> Margin:
@@ -20,7 +28,7 @@ def weave(points: Points, half: Half, around: int = 24, rows: int = 9) -> Margin
 
 
 def mesh_gaps(points: Points, half: Half, count: int = 9, wire: float = 0.4) -> Margin:
-    """Between the wires of a mesh about a ball, in squares on the six sides of a cube about it."""
+    """Gaps between the wires of a mesh around a ball: squares on the six sides of a cube."""
     size, order = points.abs().sort(1, descending=True)
     sides = torch.stack([(order[:, 0] + 1) % 3, (order[:, 0] + 2) % 3], 1)
     angles = torch.atan2(points.gather(1, sides), size[:, :1])
@@ -30,8 +38,8 @@ def mesh_gaps(points: Points, half: Half, count: int = 9, wire: float = 0.4) -> 
 
 
 def net_gaps(points: Points, half: Half, count: int = 13, string: float = 0.3) -> Margin:
-    """Between the strings of a net that is seen from the front, ``count`` of them from side to
-    side, each so wide a share of the pitch."""
+    """Gaps between the strings of a net, seen from the front: ``count`` from side to side;
+    ``string``: a string's fraction of the pitch."""
     pitch = 2 * half[0] / count
     at = points[:, [0, 2]] / pitch
     away = (at - at.floor() - 0.5).abs().amax(1)
@@ -39,7 +47,7 @@ def net_gaps(points: Points, half: Half, count: int = 13, string: float = 0.3) -
 
 
 def diagonals(points: Points, _half: Half, pitch: float = 0.1, wide: float = 0.012) -> Margin:
-    """Of a mill's sails, which are at half right angles."""
+    """Diagonal lines in both directions, seen from the front, such as a mill's sails have."""
     x, z = points[:, 0], points[:, 2]
     found = []
     for along in ((x + z) / math.sqrt(2), (x - z) / math.sqrt(2)):
@@ -49,19 +57,18 @@ def diagonals(points: Points, _half: Half, pitch: float = 0.1, wide: float = 0.0
 
 
 def cell_lines(points: Points, half: Half, count: Pair, room: float, wide: float) -> Margin:
-    """Lines across the panels side by side, by one panel's box; ``room``: half of what is between
-    two, ``count``: of the cells of one."""
-    pitch = 2 * (half[0] + room)
-    x = points[:, 0] - (points[:, 0] / pitch).round() * pitch
+    """Lines between the cells of panels in a row, given the box of one panel; ``room``: half the
+    gap between two panels, ``count``: cells of one panel."""
+    at = nearest(points, half, (0,), room)[:, [0, 2]]
     many = half.new_tensor(count)
     cell = 2 * half[[0, 2]] / many
-    at = (torch.stack([x, points[:, 2]], 1) + half[[0, 2]]) / cell
+    at = (at + half[[0, 2]]) / cell
     line = torch.minimum(at.round().clamp_min(1), many - 1)
     return wide - ((at - line).abs() * cell).amin(1)
 
 
 def grid(points: Points, _half: Half, pitch: Pair, wide: float = 0.008) -> Margin:
-    """Lines along and across what lies, from its middle, ``pitch`` in training units."""
+    """Lines along and across a level part, from its middle; ``pitch`` in training units."""
     at = points[:, :2] / points.new_tensor(pitch) + 0.5
     away = (at - at.round()).abs() * points.new_tensor(pitch)
     return wide - away.amin(1)
@@ -70,8 +77,8 @@ def grid(points: Points, _half: Half, pitch: Pair, wide: float = 0.008) -> Margi
 def truss(
     points: Points, half: Half, along: int, count: int, room: Pair, bar: float = 0.016
 ) -> Margin:
-    """What is open between the slanted bars of a beam, seen from its sides, in so many bays along
-    an axis; ``room``: from where to where across, in halves."""
+    """Openings between the slanted bars of a beam, seen from its sides: ``count`` bays along an
+    axis; ``room``: the span across it, in halves."""
     across = 3 - along  # y and z are 1 and 2
     pitch = 2 * 0.92 * half[along] / count
     low, high = room[0] * half[across], room[1] * half[across]
@@ -84,25 +91,9 @@ def truss(
 
 
 def slots(points: Points, half: Half, count: int = 7, wide: float = 0.45) -> Margin:
-    """Level ones in a round plate that is seen from the front."""
+    """Level slots in a round plate, seen from the front."""
     x, z = points[:, 0] / half[0], points[:, 2] / half[2]
     row = z * (count + 2) / 2
     slot = (wide / 2 - (row - row.round()).abs()) * (2 * half[2] / (count + 2))
     inside = (0.82 - torch.hypot(x, row.round() * 2 / (count + 2))) * half[0]
     return all_of(slot, inside, in_front(points))
-
-
-def icons(points: Points, half: Half, columns: int = 4) -> Margin:
-    """Of a phone: rows of squares on the upper part of its front, and one below."""
-    x, z = points[:, 0], points[:, 2]
-    pitch = 1.76 * half[0] / columns
-    at = torch.stack([x / pitch + columns / 2, (0.84 * half[2] - z) / pitch], 1)
-    below = torch.stack([at[:, 0], (-0.7 * half[2] - z) / pitch], 1)
-    rows = max(int(1.15 * float(half[2]) / float(pitch)), 1)
-    both = []
-    for place, count in ((at, rows), (below, 1)):
-        cell = place.floor()
-        square = 0.32 - (place - cell - 0.5).abs().amax(1)
-        there = (cell >= 0).all(1) & (cell[:, 0] < columns) & (cell[:, 1] < count)
-        both.append(torch.where(there, square, -0.18).mul(pitch))
-    return all_of(any_of(*both), in_front(points))

@@ -5,28 +5,40 @@ import torch.nn.functional as F
 
 from core.guidance.builtin.markings.forms.frames import arch
 from core.guidance.builtin.markings.forms.stripes import on_four_sides
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Points,
+    Way,
+    all_of,
+    any_of,
+    in_front,
+)
 from core.guidance.builtin.markings.outlines import Disc, Emblem, laid
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering
 
-Vector = tuple[float, float, float]
 GLYPHS = ("sun", "leaf", "ring", "moon", "diamond", "crown", "arrow")  # of an obelisk, from below
 
 
 def lettered(
     points: Points, half: Half, text: str, high: float, bold: float = 0.03, at: float = 0.0
 ) -> Margin:
-    """Letters across the front, ``high`` in halves of its width, their middle ``at`` a height in
-    halves; ``bold``: how much farther out their strokes go than the font's, of their height."""
+    """Letters across the front.
+
+    Args:
+        high: a capital's height in halves of the width.
+        bold: how much wider the strokes are than the font's, of a capital's height.
+        at: the height of the letters' middle in halves.
+    """
     size = high * half[0]
     place = torch.stack([points[:, 0], points[:, 2] - at * half[2]], 1) / size
     return all_of((lettering(place, text) + bold) * size, in_front(points))
 
 
 def on_sides(points: Points, half: Half, text: str, high: float, at: tuple[float, float]) -> Margin:
-    """Letters on both sides of what looks to the front: ``high`` and ``at`` (back and up) in halves
-    of its length and height."""
+    """Letters on the left and the right side; ``high`` in halves of the length, ``at`` (back and
+    up) in halves of the length and the height."""
     size, right = high * half[1], points[:, 0].sign()
     y, z = points[:, 1] - at[0] * half[1], points[:, 2] - at[1] * half[2]
     letters = (lettering(torch.stack([right * y, z], 1) / size, text) + 0.05) * size
@@ -36,15 +48,15 @@ def on_sides(points: Points, half: Half, text: str, high: float, at: tuple[float
 def written_up(
     points: Points, half: Half, text: str, high: float, at: float, bold: float = 0.05
 ) -> Margin:
-    """Letters on the front that are read upwards: how high, and where their middle is, in halves
-    of the width and of the height."""
+    """Letters on the front, read upwards: their height in halves of the width, the place of their
+    middle in halves of the height."""
     size = high * half[0]
     place = torch.stack([points[:, 2] - at * half[2], -points[:, 0]], 1) / size
     return all_of((lettering(place, text) + bold) * size, in_front(points))
 
 
-def number_on(points: Points, half: Half, text: str, way: Vector, high: float) -> Margin:
-    """Letters on a ball about a direction, ``high`` in radii; upright."""
+def number_on(points: Points, half: Half, text: str, way: Way, high: float) -> Margin:
+    """Upright letters on a ball around a direction, ``high`` in radii."""
     ahead = F.normalize(points.new_tensor(way), dim=0)
     right = F.normalize(torch.linalg.cross(points.new_tensor([0.0, 0, 1]), -ahead), dim=0)
     up = torch.linalg.cross(-ahead, right)
@@ -54,13 +66,13 @@ def number_on(points: Points, half: Half, text: str, way: Vector, high: float) -
 
 
 def race_number(points: Points, half: Half, text: str, disc: Disc) -> Margin:
-    """A disc on the top, the number left out of it."""
+    """A disc on the top without the number on it."""
     size = 0.22 if len(text) == 1 else 0.17
     return laid(points, half, top=(disc, Emblem(disc.at, size, text=text, gap=True)), deep=-0.2)
 
 
 def rib_letters(points: Points, half: Half, text: str = "CARGO") -> Margin:
-    """A letter on each of the ribs on both sides of a container, by its body."""
+    """A letter on each rib on both sides of a container, given the box of its body."""
     pitch, size = 0.392 * half[1], 0.2 * half[1]
     along, up = points[:, 1] * points[:, 0].sign(), points[:, 2]
     margins = []
@@ -71,7 +83,7 @@ def rib_letters(points: Points, half: Half, text: str = "CARGO") -> Margin:
 
 
 def reel_sevens(points: Points, half: Half) -> Margin:
-    """A seven on each of three reels side by side, by the box of all or of one."""
+    """A seven on each of three reels in a row, given the box of all or of one."""
     pitch = float(half[0]) / (1.42 if half[0] > 0.9 * half[2] else 0.42)
     x = points[:, 0] / pitch
     size = 0.62 * pitch
@@ -80,7 +92,7 @@ def reel_sevens(points: Points, half: Half) -> Margin:
 
 
 def epitaph(points: Points, half: Half) -> Margin:
-    """A tombstone's: its letters and a border about all."""
+    """The letters of a tombstone and the border around them."""
     letters = laid(points, half, front=(Emblem((0, -0.5), 0.21, text="RIP"),), deep=0.5)
     return any_of(letters, arch(points, half))
 

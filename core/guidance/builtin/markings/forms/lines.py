@@ -10,6 +10,7 @@ from core.guidance.builtin.markings.margins import (
     UP,
     Half,
     Margin,
+    Pair,
     Points,
     Way,
     all_of,
@@ -18,13 +19,12 @@ from core.guidance.builtin.markings.margins import (
     strokes,
     unit,
 )
-from core.guidance.builtin.markings.outlines import Pair
 from core.guidance.builtin.markings.shapes import shape_margin
 
 
-def levels(points: Points, _half: Half, pitch: float, wide: float = 0.014) -> Margin:
-    """Level lines all around, one above another."""
-    at = points[:, 2] / pitch
+def levels(points: Points, _half: Half, pitch: float, wide: float = 0.014, axis: int = 2) -> Margin:
+    """Lines across an axis all around, ``pitch`` apart; half their width ``wide``."""
+    at = points[:, axis] / pitch
     return wide - (at - at.round()).abs() * pitch
 
 
@@ -36,7 +36,8 @@ def bars(
     wide: float = 0.011,
     span: Pair = (-9.0, 9.0),
 ) -> Margin:
-    """Lines across a way, as between plates of a belly, from where to where in halves of that."""
+    """Lines across a direction, such as between the plates of a belly; ``span`` in halves along
+    it."""
     out = unit(points, way)
     along, reach = points @ out, (half.to(out) * out).norm()
     away = along / pitch
@@ -51,20 +52,19 @@ def drawn_lines(
     wide: float = 0.016,
     axes: tuple[int, int] = FRONT,
 ) -> Margin:
-    """Lines on both faces of what is flat, as a wing's bones or quills; in halves."""
+    """Lines on both faces of a flat part, such as a wing's bones or quills; in halves."""
     at, sides = points[:, list(axes)], half[list(axes)]
     return any_of(*(strokes(at, at.new_tensor(curve) * sides, wide) for curve in curves))
 
 
 def container_ribs(points: Points, half: Half, pitch: float = 0.052, aside: float = 0.7) -> Margin:
-    """Upright lines on the outer sides of a ship's containers, by its hull."""
-    at = points[:, 1] / pitch
-    line = 0.01 - (at - at.round()).abs() * pitch
-    return all_of(line, points[:, 0].abs() - aside * half[0])
+    """Upright lines on the outer sides of a ship's containers, given the box of its hull."""
+    lines = levels(points, half, pitch, 0.01, 1)
+    return all_of(lines, points[:, 0].abs() - aside * half[0])
 
 
 def links(points: Points, half: Half, count: int = 17) -> Margin:
-    """Of a tank's tracks, along their upper and lower edges."""
+    """Links along the upper and lower edges of a tank's tracks."""
     pitch = 2 * half[1] / count
     at = points[:, 1] / pitch
     gap = 0.3 * pitch - (at - at.round()).abs() * pitch
@@ -72,22 +72,22 @@ def links(points: Points, half: Half, count: int = 17) -> Margin:
 
 
 def coil(points: Points, half: Half, reach: float, pitch: float = 0.036) -> Margin:
-    """The turns of a rope about the middle of what lies along x; its reach in halves."""
+    """Turns of a rope around the middle of a part along x; their reach in halves."""
     at = points[:, 0] / pitch
     turn = (0.4 - (at - at.round()).abs()) * pitch
     return all_of(turn, reach * half[0] - points[:, 0].abs())
 
 
-def flutes(points: Points, half: Half, count: int, share: float, high: float) -> Margin:
-    """Upright bands all round, so large a share of the way; ``high``: in halves."""
+def flutes(points: Points, half: Half, count: int, fraction: float, high: float) -> Margin:
+    """Upright bands all around, ``fraction`` of the way; ``high`` in halves."""
     turn = torch.atan2(points[:, 0], -points[:, 1]) * (count / math.tau)
     arc = points[:, :2].norm(dim=1) * (math.tau / count)
-    across = (share / 2 - (turn - turn.round()).abs()) * arc
+    across = (fraction / 2 - (turn - turn.round()).abs()) * arc
     return all_of(across, high * half[2] - points[:, 2].abs())
 
 
 def lying_flutes(points: Points, half: Half, count: int) -> Margin:
-    """Grooves along the head of a torch, which looks to the front."""
+    """Grooves along the head of a torch that points to the front."""
     x, y, z = points.unbind(1)
     turn = torch.atan2(x, z) * (count / math.tau)
     away = torch.hypot(x, z)
@@ -105,7 +105,7 @@ def gills(points: Points, half: Half, count: int = 40, wide: float = 0.008) -> M
 
 
 def throat(points: Points, half: Half, count: int = 9, line: float = 0.013) -> Margin:
-    """A whale's: grooves along it, about its lower side, as far back as its middle."""
+    """Grooves along a whale around its lower side, from the front to its middle."""
     turn = torch.atan2(points[:, 0], -points[:, 2] + 0.3 * half[2])
     step = math.pi / count
     away = (turn / step - (turn / step).round()).abs() * step
@@ -114,8 +114,8 @@ def throat(points: Points, half: Half, count: int = 9, line: float = 0.013) -> M
 
 
 def grill_marks(points: Points, half: Half, high: float, pitch: float = 0.2) -> Margin:
-    """Slanted ones on the top of what lies on the bearer of the box, from ``high`` above the middle
-    of that, in halves of its width."""
+    """Slanted lines on food that is on another part, given the box of that part: places more than
+    ``high`` above its middle, in halves of its width."""
     phase = (points[:, 0] + points[:, 1]) / (pitch * math.sqrt(2))
     line = (0.13 - (phase - phase.round()).abs()) * pitch
     return all_of(line, points[:, 2] - high * half[0])
@@ -130,8 +130,7 @@ def ruled(
     lines: Sequence[float] = LINES,
     ends: tuple[float, float] = (-0.42, 0.8),
 ) -> Margin:
-    """The lines of a list, every other one shorter; where they are, and from where to where they
-    go, in halves of the paper."""
+    """Lines of a list, every other one shorter; their heights and ends in halves of the paper."""
     x, z = points[:, 0] / half[0], points[:, 2] / half[2]
     begin, margins = ends[0], []
     for k, at in enumerate(lines):
@@ -142,7 +141,7 @@ def ruled(
 
 
 def ticked(points: Points, half: Half, done: int = 4) -> Margin:
-    """The squares before them, ``done`` with a tick."""
+    """Squares in front of the lines of a list, ``done`` of them ticked."""
     size = 0.1 * float(half[0])
     margins = []
     for k, at in enumerate(LINES):

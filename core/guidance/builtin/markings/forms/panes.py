@@ -4,8 +4,16 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
-from core.guidance.builtin.markings.outlines import Outline, Pair, laid
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
+from core.guidance.builtin.markings.outlines import Outline, laid
 
 FRAME = 0.026  # how wide a window's is, training units
 SILL = 0.022  # how far that goes on at either side, and half of how high it is
@@ -13,8 +21,8 @@ BAR = 0.012  # half of what is between two panes
 
 
 class Opening(NamedTuple):
-    """Of a wall. All is in halves of the wall's extent, but for what is round, which is as high as
-    it is wide."""
+    """An opening in a wall, in halves of the wall's extent; a round one is as high as it is
+    wide."""
 
     face: str  # "front", "back" or "sides"
     at: tuple[float, float]  # the middle, along the wall and up
@@ -24,7 +32,7 @@ class Opening(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """Places as seen from an opening's middle."""
+    """Places seen from the middle of an opening."""
 
     across: Margin
     up: Margin
@@ -33,7 +41,7 @@ class Seen(NamedTuple):
 
 
 def _seen(points: Points, half: Half, one: Opening) -> Seen:
-    """The places from it."""
+    """The places seen from an opening."""
     x, y, z = points.unbind(1)
     long, deep = (1, 0) if one.face == "sides" else (0, 1)
     toward = {"front": -y, "back": y, "sides": x.abs()}[one.face]
@@ -45,7 +53,7 @@ def _seen(points: Points, half: Half, one: Opening) -> Seen:
 
 
 def _within(seen: Seen, head: str, more: float = 0.0) -> Margin:
-    """Inside an opening that is ``more`` larger to all sides."""
+    """Inside an opening that is ``more`` larger on all sides."""
     (wide, high), up = seen.half, seen.up
     if head == "round":
         return wide + more - (seen.across.square() + up.square()).sqrt()
@@ -57,7 +65,7 @@ def _within(seen: Seen, head: str, more: float = 0.0) -> Margin:
 
 
 def _between(at: Margin, half: float, count: int, bar: float) -> Margin:
-    """Inside one of so many panes, side by side."""
+    """Inside one of ``count`` panes in a row."""
     pitch = 2 * half / count
     place = at / pitch + count / 2
     return (place - place.round().clamp(1, count - 1)).abs() * pitch - bar
@@ -70,7 +78,7 @@ def panes(
     grid: tuple[int, int] = (2, 2),
     bar: float = BAR,
 ) -> Margin:
-    """The glass: so many panes across and up in each opening."""
+    """The glass: panes across and up in each opening."""
     found = []
     for one in openings:
         seen = _seen(points, half, one)
@@ -90,7 +98,7 @@ def frames(
     grid: tuple[int, int] = (2, 2),
     bar: float = BAR,
 ) -> Margin:
-    """What is not glass of windows."""
+    """The part of windows that is not glass."""
     return -panes(points, half, openings, grid, bar)
 
 
@@ -101,7 +109,7 @@ def windows(
     frame: float = FRAME,
     sill: float = SILL,
 ) -> Margin:
-    """All of them, with their frames and their sills."""
+    """Windows with their frames and sills."""
     found = []
     for one in openings:
         seen = _seen(points, half, one)
@@ -115,7 +123,8 @@ def windows(
 
 
 def shutters(points: Points, half: Half, openings: Sequence[Opening], wide: float = 0.55) -> Margin:
-    """Beside windows, each ``wide`` of half a window's width, with gaps between their slats."""
+    """Shutters at both sides of windows, each ``wide`` of half a window's width, with gaps between
+    their slats."""
     found = []
     for one in openings:
         seen = _seen(points, half, one)
@@ -132,7 +141,8 @@ def door_panels(
     columns: int = 2,
     edge: float = 0.22,
 ) -> Margin:
-    """A door's: the heights of their rows, in halves; ``edge`` of half the width is beside them."""
+    """Panels of a door: the heights of their rows in halves; ``edge``: the fraction of half the
+    width next to them."""
     x, z, wide = points[:, 0], points[:, 2], float((1 - edge) * half[0])
     across = wide - x.abs()
     if columns > 1:
@@ -147,14 +157,14 @@ BARN_WINDOWS = tuple(Opening("sides", (u, -0.42), (0.12, 0.15)) for u in (-0.55,
 
 
 def barn_door(points: Points, half: Half) -> Margin:
-    """A barn's, in front."""
+    """The door in the front of a barn."""
     wide = BARN_DOOR[0] * half[0] - points[:, 0].abs()
     return all_of(wide, BARN_DOOR[1] * half[2] - points[:, 2], -points[:, 1] - 0.7 * half[1])
 
 
 def barn_trim(points: Points, half: Half, wide: float = 0.03) -> Margin:
-    """The white boards: about the door, a cross on each of its leaves, about the loft and the
-    windows, at the corners."""
+    """White boards of a barn: around the door, a cross on each of its leaves, around the loft and
+    the windows, and at the corners."""
     x, y, z = points.unbind(1)
     side, top = float(BARN_DOOR[0] * half[0]), float(BARN_DOOR[1] * half[2])
     tall = top + float(half[2])
@@ -188,7 +198,8 @@ def vehicle_windows(
     ends: Pair = (0.1, 0.1),
     until: float = 9.0,
 ) -> Margin:
-    """A vehicle's panes; how far from the middle those of both ends begin, in halves."""
+    """Panes of a vehicle; ``ends``: how far from the middle those of the front and the back begin,
+    in halves."""
     margins = [laid(points, half, front=front, deep=ends[0])]
     if sides:
         margins.append(laid(points, half, sides=sides, deep=0.55))

@@ -10,21 +10,21 @@ LID = 0.7  # of a barrel's radius, of which a lid is at least
 
 
 def planks(points: Points, half: Half, count: int, axis: int = 2, wide: float = 0.009) -> Margin:
-    """The seams between so many planks that follow one another along an axis; each is twice
-    ``wide`` (training units), whatever the planks' size."""
+    """Joints between ``count`` planks in a row along an axis; half a joint's width ``wide`` in
+    training units, whatever the planks' size."""
     pitch = 2 * half[axis] / count
     at = points[:, axis] / pitch + count / 2
     return wide - (at - at.round().clamp(1, count - 1)).abs() * pitch
 
 
 def frets(points: Points, half: Half, count: int = 13) -> Margin:
-    """Of a guitar's neck, below its head."""
+    """Frets of a guitar's neck below its head."""
     below = 0.62 * half[2] - points[:, 2]
     return all_of(planks(points, half, count, wide=0.007), below, in_front(points))
 
 
 def staves(points: Points, half: Half, count: int = 14, wide: float = 0.01) -> Margin:
-    """The seams of a barrel, straight across its lids."""
+    """Joints between the staves of a barrel, straight across its lids."""
     x, y, _ = points.unbind(1)
     turn = torch.atan2(x, -y) * (count / math.tau)
     flat = torch.hypot(x, y)
@@ -34,14 +34,14 @@ def staves(points: Points, half: Half, count: int = 14, wide: float = 0.01) -> M
 
 
 def boarding(points: Points, half: Half, pitch: float = 0.1, wide: float = 0.008) -> Margin:
-    """The upright seams of boards on four walls."""
+    """Upright joints between the boards of four walls."""
     x, y, _ = points.unbind(1)
     along = torch.where(x.abs() * half[1] > y.abs() * half[0], y, x) / pitch
     return wide - (along - along.floor() - 0.5).abs() * pitch
 
 
 def bark_lines(points: Points, half: Half, count: int = 11, wide: float = 0.013) -> Margin:
-    """Furrows along a log that lies along x, each in strokes."""
+    """Furrows along a log along x, in strokes."""
     x, y, z = points.unbind(1)
     turn = torch.atan2(z, y) * (count / math.tau) + 0.12 * (x * 5).sin()
     row = turn.round()
@@ -52,7 +52,7 @@ def bark_lines(points: Points, half: Half, count: int = 11, wide: float = 0.013)
 
 
 def black_keys(points: Points, half: Half, octaves: int = 2) -> Margin:
-    """Of a piano, the front at -y, and the gaps between the white ones."""
+    """Black keys of a piano with its front at -y, and the gaps between the white ones."""
     pitch = 2 * half[0] / (7 * octaves)
     at = (points[:, 0] + half[0]) / pitch
     nearest = at.round()

@@ -6,42 +6,47 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
-from core.guidance.builtin.markings.outlines import Pair
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
 
 SECTORS = 20  # of a dartboard
 
 
 def disc(points: Points, half: Half, radius: float) -> Margin:
-    """Within ``radius``, in halves of the width, of the middle of the front."""
+    """A disc in the middle of the front; ``radius`` in halves of the width."""
     return all_of(radius * half[0] - points[:, [0, 2]].norm(dim=1), in_front(points))
 
 
 def rim(points: Points, half: Half, low: float, high: float) -> Margin:
-    """Between two radii on the front, in halves of the width."""
-    away = points[:, [0, 2]].norm(dim=1)
-    return all_of(high * half[0] - away, away - low * half[0], in_front(points))
+    """A ring on the front, radii in halves of the width."""
+    return all_of(rings(points, half, ((low, high),)), in_front(points))
 
 
 def rings(
     points: Points, half: Half, spans: Sequence[tuple[float, float]], axis: int = 1
 ) -> Margin:
-    """Between radii about the middle of both its faces, in halves of the width; the faces look
-    along the axis."""
+    """Rings around the middle of both faces across an axis, radii in halves of the width."""
     away = points[:, [side for side in range(3) if side != axis]].norm(dim=1)
     pairs = ((low * half[0], high * half[0]) for low, high in spans)
     return any_of(*(all_of(high - away, away - low) for low, high in pairs))
 
 
 def plate_rings(points: Points, half: Half) -> Margin:
-    """Along a plate's edge, with a line beside it; and one about its well, from above."""
+    """A plate's edge, a line next to it, and from above a line around its well."""
     away = points[:, :2].norm(dim=1) / half[0]
     well = all_of((0.025 - (away - 0.68).abs()) * half[0], points[:, 2])
     return any_of((away - 0.91) * half[0], (0.012 - (away - 0.86).abs()) * half[0], well)
 
 
 def cone_rings(points: Points, half: Half, spans: Sequence[Pair], out: float = 0.35) -> Margin:
-    """Of a loudspeaker's cones, by its box: between radii in those of the cones."""
+    """Rings on the cones of a loudspeaker, given its box; radii in those of the cones."""
     x, y, z = points.unbind(1)
     margins = []
     for radius, up in ((0.7, half[0] - half[2]), (0.43, half[2] - 0.763 * half[0])):
@@ -51,14 +56,14 @@ def cone_rings(points: Points, half: Half, spans: Sequence[Pair], out: float = 0
 
 
 def rosette(points: Points, half: Half) -> Margin:
-    """A ring about a guitar's sound hole, which is at the lower end of its neck."""
+    """A ring around a guitar's sound hole, which is at the lower end of its neck."""
     away = torch.hypot(points[:, 0], points[:, 2] + half[2] - half[0]) / half[0]
     return all_of((0.09 - (away - 0.8).abs()) * half[0], in_front(points))
 
 
 def _darts(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """Of a dartboard: the distance from its middle, the margins of the sectors of one kind and of
-    the two rings, and the radius within which all lies."""
+    """For a dartboard: distances from its middle, the margins of every other sector and of the two
+    rings, and the radius of the whole."""
     r = 0.79 * half[0]
     away = points[:, [0, 2]].norm(dim=1)
     angle = torch.atan2(points[:, 0], points[:, 2]) * (SECTORS / 2)
@@ -74,20 +79,20 @@ def pale_sectors(points: Points, half: Half) -> Margin:
 
 
 def dart_reds(points: Points, half: Half) -> Margin:
-    """Its rings on the dark sectors, and the bull's eye."""
+    """The rings on the dark sectors of a dartboard, and the bull's eye."""
     away, sectors, both, r = _darts(points, half)
     return all_of(any_of(all_of(sectors, both), 0.065 * r - away), in_front(points))
 
 
 def dart_greens(points: Points, half: Half) -> Margin:
-    """Its rings on the pale ones, and the ring about the bull's eye."""
+    """The rings on the pale sectors of a dartboard, and the ring around the bull's eye."""
     away, sectors, both, r = _darts(points, half)
     bull = 0.035 * r - (away - 0.1 * r).abs()
     return all_of(any_of(all_of(-sectors, both), bull), in_front(points))
 
 
 def spiral(points: Points, half: Half) -> Margin:
-    """A lollipop's, on both sides, from the middle outwards."""
+    """The spiral of a lollipop on both sides."""
     pitch = 0.52 * half[0]
     turn = torch.atan2(points[:, 2], points[:, 0]) / math.tau
     phase = points[:, [0, 2]].norm(dim=1) / pitch + turn
@@ -95,7 +100,7 @@ def spiral(points: Points, half: Half) -> Margin:
 
 
 def whorl(points: Points, _half: Half, pitch: float = 0.16, line: float = 0.016) -> Margin:
-    """A snail shell's, on both sides."""
+    """The spiral of a snail shell on both sides."""
     away = points[:, 1:].norm(dim=1)
     turn = torch.atan2(points[:, 2], points[:, 1]) / math.tau
     phase = away / pitch - turn
@@ -103,8 +108,7 @@ def whorl(points: Points, _half: Half, pitch: float = 0.16, line: float = 0.016)
 
 
 def spokes(points: Points, half: Half, count: int, wide: float, reach: Pair) -> Margin:
-    """Level lines outwards from the middle, seen from above; ``reach``: from where to where, in
-    halves."""
+    """Lines outwards from the middle, seen from above; ``reach``: their ends in halves."""
     x, y = points[:, 0], points[:, 1]
     away, step = torch.hypot(x, y), math.tau / count
     turn = torch.atan2(x, y) / step + 0.5
@@ -113,7 +117,7 @@ def spokes(points: Points, half: Half, count: int, wide: float, reach: Pair) -> 
 
 
 def rays(points: Points, half: Half, span: tuple[float, float], count: int, wide: float) -> Margin:
-    """Strokes from one radius to another about the middle of a front, pointed without."""
+    """Strokes between two radii around the middle of a front, pointed outwards."""
     x, z = points[:, 0], points[:, 2]
     away = torch.hypot(x, z) / half[0]
     turn = torch.atan2(x, z) * (count / math.tau)
@@ -124,18 +128,15 @@ def rays(points: Points, half: Half, span: tuple[float, float], count: int, wide
 
 
 def leaning(points: Points, degrees: float) -> Points:
-    """Places on what looks up to the front, as if it looked straight up."""
+    """Places on a part that faces up and to the front, turned so that it faces up."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     x, y, z = points.unbind(1)
     return torch.stack([x, c * y - s * z, s * y + c * z], 1)
 
 
 def dish_seams(points: Points, half: Half, lean: float = 44.0, count: int = 8) -> Margin:
-    """Of a dish that looks up to the front: lines outwards, and a ring."""
-    x, y, _ = leaning(points, -lean).unbind(1)
-    away, step = torch.hypot(x, y), math.tau / count
-    turn = torch.atan2(x, y) / step + 0.5
-    across = away * ((turn - turn.round()) * step).sin().abs()
-    spoke = all_of(0.012 - across, away - 0.3 * half[0], 0.96 * half[0] - away)
+    """Lines outwards and a ring on a dish that faces up and to the front."""
+    points = leaning(points, -lean)
+    away = torch.hypot(points[:, 0], points[:, 1])
     ring = 0.012 - torch.minimum((away - 0.3 * half[0]).abs(), (away - 0.64 * half[0]).abs())
-    return any_of(spoke, ring)
+    return any_of(spokes(points, half, count, 0.012, (0.3, 0.96)), ring)

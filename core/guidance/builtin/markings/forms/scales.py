@@ -8,6 +8,7 @@ from torch import Tensor
 from core.guidance.builtin.markings.margins import (
     Half,
     Margin,
+    Pair,
     Points,
     Way,
     all_of,
@@ -15,11 +16,10 @@ from core.guidance.builtin.markings.margins import (
     strokes,
     unit,
 )
-from core.guidance.builtin.markings.outlines import Pair
 
 
 def scallops(along: Tensor, across: Tensor, pitch: float, line: float) -> Margin:
-    """The edges of scales in rows, that bulge the way they lie."""
+    """Edges of scales in rows, which bulge along ``along``."""
     row, side = along / pitch * 2, across / pitch
     own = row.floor()
     shifted = side - 0.5 * own.remainder(2)
@@ -28,14 +28,10 @@ def scallops(along: Tensor, across: Tensor, pitch: float, line: float) -> Margin
 
 
 def fish_scales(points: Points, half: Half, pitch: float = 0.26, line: float = 0.011) -> Margin:
-    """A fish's, as rows of arcs that bulge to its tail, and the edge of its gills; its head is at
-    -y."""
+    """Scales of a fish with its head at -y: rows of arcs that bulge to the tail, and the edge of
+    its gills."""
     _, y, z = points.unbind(1)
-    along, up = y / pitch * 2, z / pitch
-    column = along.floor()
-    row = up - 0.5 * column.remainder(2)
-    away = torch.hypot((along - column) / 2, row - row.round())
-    arcs = line - (away - 0.5).abs() * pitch
+    arcs = scallops(y, z, pitch, line)
     behind = y + 0.22 * half[1]
     from_it = torch.hypot(y + 0.8 * half[1], 0.8 * z)
     gills = all_of(1.5 * line - (from_it - 0.44 * half[1]).abs(), y + 0.75 * half[1])
@@ -43,7 +39,7 @@ def fish_scales(points: Points, half: Half, pitch: float = 0.26, line: float = 0
 
 
 def tail_scales(points: Points, half: Half, count: int = 12, line: float = 0.01) -> Margin:
-    """A mermaid's, in rows about her tail, that hang down."""
+    """Scales of a mermaid's tail in rows, which hang down."""
     around = torch.atan2(points[:, 0], -points[:, 1]) / math.tau * count
     pitch = math.tau * float(half[0]) / count
     return scallops(-points[:, 2], around * pitch, pitch, line)
@@ -58,8 +54,8 @@ def plumage(
     count: int = 3,
     rows: int = 2,
 ) -> Margin:
-    """Of a wing at a side, its tip to ``way``: rows of short feathers from where to where, in
-    halves, and long ones beyond; ``count`` of each side by side."""
+    """Feathers of a wing at a side with its tip to ``way``: rows of short ones over the span
+    ``short`` in halves, and long ones beyond it; ``count`` in a row."""
     out = unit(points, way)
     up = torch.linalg.cross(out.new_tensor((1.0, 0.0, 0.0)), out)
     reach, high = (half.to(out) * out).norm(), (half.to(out) * up).norm()
@@ -80,7 +76,7 @@ def plumage(
 
 
 def chest_marks(points: Points, half: Half, pitch: float = 0.17, line: float = 0.014) -> Margin:
-    """An owl's: rows of marks that point down, every other row shifted."""
+    """Marks on an owl's chest in rows, which point down, every other row shifted."""
     up = points[:, 2] / pitch * 1.4
     row = up.floor()
     side = points[:, 0] / pitch - 0.5 * row.remainder(2)
@@ -91,7 +87,7 @@ def chest_marks(points: Points, half: Half, pitch: float = 0.17, line: float = 0
 
 
 def curls(points: Points, half: Half, pitch: float = 0.24, line: float = 0.013) -> Margin:
-    """Locks of wool: spirals in rows, as seen from the side."""
+    """Locks of wool, seen from the side: spirals in rows."""
     along, up = points[:, 1] / pitch, points[:, 2] / pitch
     row = up.round()
     along = along - 0.5 * row.remainder(2)
@@ -104,14 +100,14 @@ def curls(points: Points, half: Half, pitch: float = 0.24, line: float = 0.013) 
 
 
 def hide(points: Points, half: Half, pitch: float = 0.12, line: float = 0.01) -> Margin:
-    """A crocodile's, seen from above: rows of plates along its back."""
+    """Rows of plates along a crocodile's back, seen from above."""
     along, side = points[:, 1] / pitch, points[:, 0] / pitch
     lines = torch.minimum((along - along.round()).abs(), (side - side.floor() - 0.5).abs()) * pitch
     return all_of(line - lines, points[:, 1] + 0.1 * half[1], points[:, 2] - 0.1 * half[2])
 
 
 def twist(points: Points, _half: Half, way: Way, pitch: float = 0.1, line: float = 0.014) -> Margin:
-    """A thread about a horn that points to ``way``."""
+    """A thread around a horn that points to ``way``."""
     out = unit(points, way)
     right = torch.linalg.cross(out, out.new_tensor((1.0, 0.0, 0.0)))
     right = right / right.norm()

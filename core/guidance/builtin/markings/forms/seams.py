@@ -6,24 +6,34 @@ from collections.abc import Sequence
 import torch
 
 from core.guidance.builtin.markings.forms.bands import hoop
-from core.guidance.builtin.markings.forms.faces import At
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
 
 
 def upright(
     points: Points, half: Half, across: Sequence[float], low: float, high: float, line: float
 ) -> Margin:
-    """Lines down a front, as seams and plackets; how far to the right, and from where to where, in
-    halves, half a line's width in training units."""
+    """Lines down a front, such as seams and plackets: places to the right and both ends in halves,
+    half a line's width in training units."""
     off = torch.stack([(points[:, 0] - at * half[0]).abs() for at in across]).amin(0)
     z = points[:, 2]
     return all_of(line - off, z - low * half[2], high * half[2] - z, in_front(points))
 
 
-def wrapped(points: Points, half: Half, at: At, wide: float, line: float = 0.018) -> Margin:
-    """The two edges of a jacket that is crossed over the chest: a V from the shoulders to ``at``,
-    the height of its lower end and of its upper ones in halves; ``wide``: how far apart these are,
-    in halves of the width."""
+def wrapped(points: Points, half: Half, at: Pair, wide: float, line: float = 0.018) -> Margin:
+    """The two edges of a jacket crossed over the chest, a V.
+
+    Args:
+        at: the heights of its lower and of its upper ends in halves.
+        wide: how far apart the upper ends are, in halves of the width.
+    """
     x, z = points[:, 0].abs(), points[:, 2]
     low, high = at[0] * float(half[2]), at[1] * float(half[2])
     reach = wide * float(half[0])
@@ -32,18 +42,18 @@ def wrapped(points: Points, half: Half, at: At, wide: float, line: float = 0.018
     return all_of(line - away, z - low + 0.01, high - z, in_front(points))
 
 
-def buckle(points: Points, half: Half, below: float, wide: float, hole: At) -> Margin:
-    """On the front of a belt, as high as that is: how far its middle is below the top of what the
-    belt is of, half its width and the half sides of its hole, in training units."""
+def buckle(points: Points, half: Half, below: float, wide: float, hole: Pair) -> Margin:
+    """A buckle on the front of a belt: its middle below the top of the part, half its width and the
+    half sides of its hole, in training units."""
     x, up = points[:, 0].abs(), (points[:, 2] - half[2] + below).abs()
     within = all_of(hole[0] - x, hole[1] - up)
     return all_of(wide - x, 2 * wide - up, -within, in_front(points))
 
 
 def pockets(
-    points: Points, half: Half, at: At, size: At, line: float = 0.014, both: bool = True
+    points: Points, half: Half, at: Pair, size: Pair, line: float = 0.014, both: bool = True
 ) -> Margin:
-    """The seams of patch pockets on a front, each with a flap; in halves, half the line's width in
+    """Seams of patch pockets on a front, each with a flap: in halves; half the line's width in
     training units."""
     x = points[:, 0].abs() if both else points[:, 0]
     across, up = x - at[0] * half[0], points[:, 2] - at[1] * half[2]
@@ -55,14 +65,14 @@ def pockets(
 
 
 def cap_seams(points: Points, _half: Half, count: int = 6, line: float = 0.012) -> Margin:
-    """The seams of a cap that meet at its top."""
+    """Seams of a cap that meet at its top."""
     turn = torch.atan2(points[:, 0], -points[:, 1]) * (count / math.tau)
     away = (turn - turn.round()).abs() * (math.tau / count)
     return line - away.sin() * points[:, :2].norm(dim=1)
 
 
 def folds(points: Points, half: Half, count: int = 14, line: float = 0.012) -> Margin:
-    """Of a skirt, from a little below its waist to its hem, the wider the lower."""
+    """Folds of a skirt from a little below its waist to its hem, wider downwards."""
     below = ((half[2] - points[:, 2]) / (2 * half[2])).clamp(0, 1)
     return cap_seams(points, half, count, line) - 2 * line * (1 - below)
 
@@ -99,21 +109,22 @@ def jacket_seams(points: Points, half: Half, line: float = 0.013) -> Margin:
 def dashes(
     points: Points, half: Half, at: float, wide: float, pitch: float = 0.09, gap: float = 0.35
 ) -> Margin:
-    """Stitches about a shoe's sole: their height and half their width in halves, a ``gap``'s share
-    of the pitch."""
+    """Stitches around a shoe's sole: their height and half their width in halves; ``gap``: a gap's
+    fraction of the pitch."""
     step = (points[:, 1] + points[:, 0]) / pitch
     dash = ((1 - gap) / 2 - (step - step.round()).abs()) * pitch
     return all_of(hoop(points, half, at, wide), dash)
 
 
-def quilt(points: Points, _half: Half, pitch: float, wide: float = 0.008) -> Margin:
-    """Slanted seams that cross, as they are seen from above."""
-    x, y = points[:, 0] / pitch, points[:, 1] / pitch
+def quilt(
+    points: Points,
+    _half: Half,
+    pitch: float,
+    wide: float = 0.008,
+    axes: tuple[int, int] = (0, 1),
+) -> Margin:
+    """Slanted seams that cross, seen from above, or along the axis that is not in ``axes``."""
+    x, y = points[:, axes[0]] / pitch, points[:, axes[1]] / pitch
     one, other = (x + y) / 2, (x - y) / 2
     away = torch.minimum((one - one.round()).abs(), (other - other.round()).abs())
     return wide - away * (pitch * math.sqrt(2))
-
-
-def cross_quilt(points: Points, _half: Half, pitch: float, wide: float = 0.008) -> Margin:
-    """Slanted seams that cross, as they are seen from the front."""
-    return quilt(points[:, [0, 2, 1]], _half, pitch, wide)

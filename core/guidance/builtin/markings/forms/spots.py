@@ -8,8 +8,15 @@ import torch.nn.functional as F
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.markings.forms.faces import At
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
 
 
 def chance(cell: Float[Tensor, "p 3"], which: int) -> Float[Tensor, " p"]:
@@ -19,30 +26,30 @@ def chance(cell: Float[Tensor, "p 3"], which: int) -> Float[Tensor, " p"]:
 
 
 def cells_around(points: Points, pitch: float) -> Iterator[Float[Tensor, "p 3"]]:
-    """The cells of a lattice next to each place's, and its own: 27, one by one."""
+    """The 27 cells of a lattice around each place, one by one."""
     own = (points / pitch).floor()
     for step in torch.cartesian_prod(*[torch.arange(-1, 2)] * 3).to(points):
         yield own + step
 
 
 def blobs(
-    points: Points, _half: Half, pitch: float, sizes: tuple[float, float], share: float
+    points: Points, _half: Half, pitch: float, sizes: tuple[float, float], fraction: float
 ) -> Margin:
-    """Round spots scattered about: on a lattice of ``pitch``, moved by up to a third of that, each
-    there by chance; the same on every object."""
+    """Round spots on a lattice of ``pitch``, each moved by up to a third of it and there with a
+    chance of ``fraction``; the same on every object."""
     margin = torch.full_like(points[:, 0], -pitch)
     for cell in cells_around(points, pitch):
         moved = torch.stack([chance(cell, k) for k in range(3)], 1) - 0.5
         middle = (cell + 0.5 + 0.66 * moved) * pitch
         size = sizes[0] + (sizes[1] - sizes[0]) * chance(cell, 3)
         spot = size - (points - middle).norm(dim=1)
-        margin = torch.where(chance(cell, 4) < share, torch.maximum(margin, spot), margin)
+        margin = torch.where(chance(cell, 4) < fraction, torch.maximum(margin, spot), margin)
     return margin
 
 
 def cells(points: Points, _half: Half, pitch: float, line: float) -> Margin:
-    """A giraffe's: the cells of a random set of points (Worley 1996), without a ``line`` between
-    them."""
+    """Cells of a random set of points (Worley 1996) without a ``line`` between them, as on a
+    giraffe."""
     away = []
     for cell in cells_around(points, pitch):
         moved = torch.stack([chance(cell, k) for k in range(3)], 1) - 0.5
@@ -52,12 +59,12 @@ def cells(points: Points, _half: Half, pitch: float, line: float) -> Margin:
 
 
 def dapples(points: Points, half: Half, pitch: float = 0.115) -> Margin:
-    """A fawn's: spots along its back and flanks."""
+    """Spots along the back and flanks of a fawn."""
     spots = blobs(points, half, pitch, (0.02, 0.03), 0.9)
     return all_of(spots, points[:, 2] + 0.1 * half[2], points[:, 1] + 0.35 * half[1])
 
 
-def ovals(points: Points, half: Half, at: At, size: At, both: bool = True) -> Margin:
+def ovals(points: Points, half: Half, at: Pair, size: Pair, both: bool = True) -> Margin:
     """Ovals on a front, in halves of it."""
     x = points[:, 0].abs() if both else points[:, 0]
     wide, high = size[0] * float(half[0]), size[1] * float(half[2])
@@ -66,7 +73,7 @@ def ovals(points: Points, half: Half, at: At, size: At, both: bool = True) -> Ma
 
 
 def egg_dots(points: Points, half: Half) -> Margin:
-    """Rows of dots above, between and below them."""
+    """Three rows of dots around an egg."""
     angle, flat = torch.atan2(points[:, 1], points[:, 0]), points[:, :2].norm(dim=1)
     turn = angle * (10 / math.tau)
     margins = []
@@ -77,7 +84,7 @@ def egg_dots(points: Points, half: Half) -> Margin:
 
 
 def strawberry_seeds(points: Points, half: Half, rows: float = 6.0, count: int = 11) -> Margin:
-    """In rows about it, each shifted against the next; longer than wide."""
+    """Rows of seeds around a strawberry, every other one shifted; longer than wide."""
     up = points[:, 2] / half[2] * rows
     row = up.round()
     turn = torch.atan2(points[:, 1], points[:, 0]) * (count / math.tau) + 0.5 * row.remainder(2)
@@ -86,8 +93,8 @@ def strawberry_seeds(points: Points, half: Half, rows: float = 6.0, count: int =
 
 
 def seeds(points: Points, half: Half, count: int = 36, up: int = 2, size: float = 0.04) -> Margin:
-    """On what is round about the axis ``up``, each pointing away from it: on a bun's top, or with
-    ``up`` 1 on a flower's front."""
+    """Seeds on a round part, each pointing away from the axis ``up``: on the top of a bun, or with
+    ``up`` 1 on the front of a flower."""
     sides = [axis for axis in range(3) if axis != up]
     at = points[:, sides] / half[sides].mean()
     number = torch.arange(count) + 0.5

@@ -9,7 +9,7 @@ from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of,
 
 
 def zebra_stripes(points: Points, half: Half, pitch: float) -> Margin:
-    """A zebra's stripes: about the trunk and the neck, level on the legs."""
+    """Stripes of a zebra: around the trunk and the neck, level on the legs."""
     x, y, z = points[:, 0].abs(), points[:, 1], points[:, 2]
     leg = ((-0.2 - z / half[2]) * 6).clamp(0, 1)
     slant = 0.35 * z.clamp_min(0)
@@ -19,7 +19,7 @@ def zebra_stripes(points: Points, half: Half, pitch: float) -> Margin:
 
 
 def tiger_stripes(points: Points, half: Half, pitch: float) -> Margin:
-    """A tiger's stripes: from the back downwards ever thinner, every other one shorter; rings on
+    """Stripes of a tiger: from the back downwards ever thinner, every other one shorter; rings on
     the legs."""
     y, z = points[:, 1], points[:, 2]
     high = z / half[2]
@@ -34,35 +34,35 @@ def tiger_stripes(points: Points, half: Half, pitch: float) -> Margin:
 
 
 def back_stripes(
-    points: Points, half: Half, pitch: float = 0.16, share: float = 0.3, fall: float = 0.45
+    points: Points, half: Half, pitch: float = 0.16, fraction: float = 0.3, fall: float = 0.45
 ) -> Margin:
-    """Across a back that falls to the tail, behind the neck, every other one shorter."""
+    """Stripes across a back that falls to the tail, behind the neck, every other one shorter."""
     along = points[:, 1] / pitch
     above = points[:, 2] / half[2] + fall * points[:, 1] / half[1]
     every = along.round().remainder(2)
-    wide = share * pitch * ((above + 0.3) / 0.6 - 0.4 * every).clamp(0, 1).sqrt()
+    wide = fraction * pitch * ((above + 0.3) / 0.6 - 0.4 * every).clamp(0, 1).sqrt()
     found = torch.where(wide > 0, wide - (along - along.round()).abs() * pitch, -0.02)
     return all_of(found, points[:, 1] + 0.12 * half[1])
 
 
 def fish_bands(points: Points, half: Half, wide: float) -> Margin:
-    """Three bands about a clownfish."""
+    """Three bands around a clownfish."""
     y = points[:, 1] / half[1]
     away = torch.stack([(y - at).abs() for at in (-0.42, 0.12, 0.72)]).amin(0)
     return wide - away * half[1]
 
 
-def snake_bands(points: Points, half: Half, count: int = 12, share: float = 0.16) -> Margin:
-    """A coiled snake's: slanted bands about the rings, none on the neck within."""
+def snake_bands(points: Points, half: Half, count: int = 12, fraction: float = 0.16) -> Margin:
+    """Slanted bands around the rings of a coiled snake, none on its neck inside."""
     away = points[:, :2].norm(dim=1)
     turn = torch.atan2(points[:, 0], points[:, 1]) / math.tau * count - 4 * points[:, 2]
     step = math.tau / count * away
-    bands = (share - (turn - turn.round()).abs()) * step / (1 + (4 * step).square()).sqrt()
+    bands = (fraction - (turn - turn.round()).abs()) * step / (1 + (4 * step).square()).sqrt()
     return all_of(bands, away - 0.42 * half[0])
 
 
 def melon_stripes(points: Points, half: Half) -> Margin:
-    """The jagged dark stripes of a melon that lies along x."""
+    """Jagged dark stripes of a melon along x."""
     x, y, z = (points / half).unbind(1)
     angle = torch.atan2(z, y)
     jagged = 0.35 * (7 * x + 2 * angle.sin()).sin() + 0.25 * (19 * x + 5 * angle).sin()
@@ -72,13 +72,13 @@ def melon_stripes(points: Points, half: Half) -> Margin:
 
 
 def slanted(points: Points, _half: Half, pitch: float) -> Margin:
-    """A necktie's stripes, one of ``pitch`` in three."""
+    """Stripes of a necktie, a third of ``pitch`` wide."""
     phase = (points[:, 2] + 0.8 * points[:, 0]) / pitch
     return (0.17 - (phase - phase.round()).abs()) * (pitch / math.hypot(1, 0.8))
 
 
 def popcorn_stripes(points: Points, half: Half, clear: float, narrow: float = 0.65) -> Margin:
-    """Upright ones on a box that is as ``narrow`` below, not within ``clear`` of the middle of its
+    """Upright stripes on a box ``narrow`` as wide below, not within ``clear`` of the middle of its
     front, in halves of the width."""
     across, wide = on_four_sides(points, half, narrow)
     phase = (across / wide + 1) * 2.25 - 0.75
@@ -90,16 +90,16 @@ def popcorn_stripes(points: Points, half: Half, clear: float, narrow: float = 0.
 def on_four_sides(
     points: Points, half: Half, narrow: float, top: float = 1.0
 ) -> tuple[Tensor, Tensor]:
-    """Of what has four upright sides: how far from the middle of the nearest, and half its width,
-    in halves of the width ``narrow`` below and ``top`` above."""
+    """For a part with four upright sides: places from the middle of the nearest side, and half its
+    width, which is ``narrow`` below and ``top`` above in halves of the width."""
     x, y, z = points.unbind(1)
-    share = ((z / half[2] + 1) / 2).clamp(0, 1)
+    fraction = ((z / half[2] + 1) / 2).clamp(0, 1)
     side = torch.where(x.abs() > y.abs(), x.sign() * y, -y.sign() * x)
-    return side, (narrow + (top - narrow) * share) * half[0]
+    return side, (narrow + (top - narrow) * fraction) * half[0]
 
 
 def foot_stripes(points: Points, half: Half, count: int = 14) -> Margin:
-    """Slanted ones about the disc that something stands on, below a third of its height."""
+    """Slanted stripes around a round foot, below a third of the height."""
     x, y, z = points.unbind(1)
     away = torch.hypot(x, y)
     turn = (torch.atan2(x, -y) + 0.8 * z / half[0]) * (count / math.tau)
@@ -108,13 +108,13 @@ def foot_stripes(points: Points, half: Half, count: int = 14) -> Margin:
 
 
 def sectors(points: Points, _half: Half, count: int) -> Margin:
-    """Every other one of a canopy's, ``count`` of them, from the top to the rim."""
+    """Every other one of ``count`` sectors of a canopy, from the top to the rim."""
     turn = torch.atan2(points[:, 0], -points[:, 1]) * (count / math.tau)
     away = (turn - turn.round()).abs() * (math.tau / count)
     return math.pi / (2 * count) * points[:, :2].norm(dim=1) - away * points[:, :2].norm(dim=1)
 
 
 def edge_spots(points: Points, half: Half, count: int = 6) -> Margin:
-    """A poker chip's."""
+    """Spots on the edge of a poker chip."""
     turn = torch.atan2(points[:, 2], points[:, 0]) * (count / math.tau)
     return (0.22 - (turn - turn.round()).abs()) * (math.tau / count) * half[0]

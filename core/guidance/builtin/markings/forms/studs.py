@@ -5,9 +5,15 @@ from collections.abc import Sequence
 
 import torch
 
-from core.guidance.builtin.markings.forms.faces import At
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of, in_front
-from core.guidance.builtin.markings.outlines import Pair
+from core.guidance.builtin.markings.margins import (
+    Half,
+    Margin,
+    Pair,
+    Points,
+    all_of,
+    any_of,
+    in_front,
+)
 
 
 def studs(
@@ -19,8 +25,13 @@ def studs(
     axis: int = 2,
     out: float = 0.0,
 ) -> Margin:
-    """Round heads in a ring about an axis, their place along it and how far ``out`` they begin in
-    halves; the radius in training units."""
+    """Round heads in a ring around an axis.
+
+    Args:
+        size: their radius, training units.
+        at: their place along the axis in halves.
+        out: how far from the axis they begin, in halves.
+    """
     one, other = (k for k in range(3) if k != axis)
     u, v = points[:, one] / half[one], points[:, other] / half[other]
     turn = torch.atan2(u, -v) * (count / math.tau)
@@ -32,11 +43,11 @@ def studs(
 def nailed(
     points: Points, half: Half, corners: Sequence[Pair], count: int, size: float, deep: float = 0.0
 ) -> Margin:
-    """Round heads, ``count`` along each side of a polygon on the front, in halves; the radius in
+    """Round heads, ``count`` along each side of a polygon on the front in halves; the radius in
     halves of the width."""
     ends = points.new_tensor(corners) * half[[0, 2]]
-    share = (torch.arange(count).to(points) / count)[:, None, None]
-    heads = (ends + share * (ends.roll(-1, 0) - ends)).reshape(-1, 2)
+    fraction = (torch.arange(count).to(points) / count)[:, None, None]
+    heads = (ends + fraction * (ends.roll(-1, 0) - ends)).reshape(-1, 2)
     away = torch.cdist(points[:, [0, 2]], heads).amin(1)
     return all_of(size * half[0] - away, -points[:, 1] - deep * half[1])
 
@@ -44,8 +55,8 @@ def nailed(
 def picket_nails(
     points: Points, half: Half, heights: Pair, pitch: float = 0.086, size: float = 0.015
 ) -> Margin:
-    """Two side by side at each rail's height, by one picket's box; so many pitches lie between two
-    pickets, however many there are."""
+    """Two nails next to each other at each rail's height, given the box of a picket; the gap
+    between pickets is a multiple of ``pitch``."""
     x = points[:, 0] / pitch - 0.5
     aside = (x - x.round()) * pitch
     away = (torch.hypot(aside, points[:, 2] - at * half[2]) for at in heights)
@@ -53,8 +64,8 @@ def picket_nails(
 
 
 def beads(points: Points, half: Half, radius: float, size: float, count: int) -> Margin:
-    """A ring of dots on what is round and looks to the front, on both faces; radius and size in
-    halves of the width."""
+    """A ring of dots on both faces of a round part that faces the front; radius and size in halves
+    of the width."""
     x, z = points[:, 0], points[:, 2]
     turn = torch.atan2(x, z) * (count / math.tau)
     angle = (turn - turn.round()) * (math.tau / count)
@@ -64,10 +75,10 @@ def beads(points: Points, half: Half, radius: float, size: float, count: int) ->
 
 
 def dots(
-    points: Points, half: Half, places: Sequence[At], size: float, both: bool = False
+    points: Points, half: Half, places: Sequence[Pair], size: float, both: bool = False
 ) -> Margin:
-    """Round ones on a front, as buttons: of each how far to the right and up, in halves; the size
-    in halves of the width; ``both``: the same on the left."""
+    """Dots on a front, such as buttons: places in halves, the size in halves of the width;
+    ``both``: also mirrored to the left."""
     x = points[:, 0].abs() if both else points[:, 0]
     middles = points.new_tensor(places) * half[[0, 2]]
     away = torch.cdist(torch.stack([x, points[:, 2]], 1), middles).amin(1)

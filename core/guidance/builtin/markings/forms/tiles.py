@@ -6,8 +6,8 @@ from collections.abc import Sequence
 import torch
 import torch.nn.functional as F
 
-from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of
-from core.guidance.builtin.markings.outlines import Pair
+from core.guidance.builtin.markings.forms.bands import bands
+from core.guidance.builtin.markings.margins import Half, Margin, Pair, Points, all_of, any_of
 
 
 def tiles(
@@ -18,8 +18,8 @@ def tiles(
     wide: float = 0.009,
     edge: float = 0.02,
 ) -> Margin:
-    """The lines between a roof's: their height and width; the ridge is along the axis, and its
-    ends, within ``edge`` of which there are none, are plain."""
+    """Lines between the tiles of a roof: their height and width; the ridge is along ``axis``, and
+    both ends are plain within ``edge``."""
     row = (points[:, 2] + half[2]) / pitch[0]
     level = (row - row.round()).abs() * pitch[0]
     place = points[:, axis] / pitch[1] + row.floor().remainder(2) / 2
@@ -34,7 +34,7 @@ def courses(
     pitch: tuple[float, float] = (0.11, 0.22),
     wide: float = 0.009,
 ) -> Margin:
-    """The mortar between the bricks of four walls: their height and width."""
+    """Mortar between the bricks of four walls: their height and width."""
     x, y, z = points.unbind(1)
     row = (z + half[2]) / pitch[0]
     level = (row - row.round()).abs() * pitch[0]
@@ -47,7 +47,7 @@ def courses(
 def bricks(
     points: Points, half: Half, rows: int = 7, count: int = 10, wide: float = 0.013
 ) -> Margin:
-    """The joints of a round wall."""
+    """Joints of a round wall."""
     x, y, z = points.unbind(1)
     pitch = 2 * half[2] / rows
     row = (z + half[2]) / pitch
@@ -58,16 +58,16 @@ def bricks(
 
 
 def mosaic(points: Points, half: Half, spans: Sequence[Pair], count: int) -> Margin:
-    """Squares side by side all round, each three quarters of its room."""
-    x, y, z = points.unbind(1)
+    """Squares all around, each three quarters of its room."""
+    x, y, _ = points.unbind(1)
     turn = torch.atan2(x, -y) * (count / math.tau)
     across = (0.38 - (turn - turn.round()).abs()) * (math.tau / count) * torch.hypot(x, y)
-    rows = (all_of(z - low * half[2], high * half[2] - z) for low, high in spans)
+    rows = (bands(points, half, 2, low, high) for low, high in spans)
     return all_of(across, any_of(*rows))
 
 
 def mirror_gaps(points: Points, half: Half, rows: int = 18) -> Margin:
-    """The lines between a mirror ball's tiles, which lie in rows."""
+    """Lines between the rows of tiles of a mirror ball."""
     x, y, z = F.normalize(points, dim=1).unbind(1)
     north = (z.clamp(-1, 1).asin() / math.pi + 0.5) * rows
     row = north.floor().clamp(0, rows - 1)
@@ -80,7 +80,7 @@ def mirror_gaps(points: Points, half: Half, rows: int = 18) -> Margin:
 
 
 def checks(points: Points, half: Half) -> Margin:
-    """The dark ones of eight by eight squares, seen from above; a1 is one."""
+    """Dark squares of eight by eight, seen from above; a1 is dark."""
     at = points[:, :2] / half[:2] * 4
     dark = at.floor().sum(1).remainder(2) == 0
     away = (at - at.round()).abs().amin(1) * (half[0] / 4)
@@ -88,7 +88,7 @@ def checks(points: Points, half: Half) -> Margin:
 
 
 def solar_cells(points: Points, half: Half, columns: int = 6, rows: int = 4) -> Margin:
-    """Of a panel that leans back: squares without their corners, in rows."""
+    """Squares without corners in rows on a panel that leans back."""
     slope = torch.stack([half[1], half[2]])
     along, long = (points[:, 1:] @ slope) / slope.norm(), slope.norm()
     upper = points[:, 2] * half[1] - points[:, 1] * half[2]

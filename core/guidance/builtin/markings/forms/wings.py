@@ -33,15 +33,16 @@ EDGE = 0.075  # of a wing, training units
 
 
 def wing_cases(points: Points, half: Half) -> Margin:
-    """A ladybird's: three dots at either side, one in front, and the line between the wings."""
+    """Marks of a ladybird: three dots at either side, one in front, and the line between the
+    wings."""
     at = torch.stack([points[:, 0].abs() / half[0], points[:, 1] / half[1]], 1)
     middles = at.new_tensor([(0.0, -0.72), (0.5, -0.4), (0.66, 0.18), (0.38, 0.58)])
     return any_of((0.19 - torch.cdist(at, middles).amin(1)) * half[0], 0.02 - points[:, 0].abs())
 
 
 def _wings(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """Of a butterfly whose front is at -y: places on its right wings, what these are scaled with,
-    and the margins of the fore and the hind one."""
+    """For a butterfly with its front at -y: places on its right wings, their scale, and the margins
+    of the fore and the hind wing."""
     scale = half[:2].to(points)
     at = torch.stack([points[:, 0].abs(), points[:, 1]], 1)
     fore, hind = (within(at, points.new_tensor(line) * scale) for line in (FORE, HIND))
@@ -49,14 +50,14 @@ def _wings(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
 
 
 def wing_cells(points: Points, half: Half) -> Margin:
-    """What is between the veins of a butterfly's wings, and within their edges."""
+    """The cells between the veins of a butterfly's wings, inside their edges."""
     at, scale, fore, hind = _wings(points, half)
     veins = any_of(*(strokes(at, points.new_tensor(line) * scale, 0.011) for line in VEINS))
     return all_of(any_of(fore - EDGE, all_of(hind - EDGE, -0.015 - fore)), -veins)
 
 
 def wing_dots(points: Points, half: Half, pitch: float = 0.09, size: float = 0.022) -> Margin:
-    """In a row along the outer edges of a butterfly's wings."""
+    """A row of dots along the outer edges of a butterfly's wings."""
     at, scale, fore, hind = _wings(points, half)
     margins = []
     for line, first, last in ((FORE, 4, 9), (HIND, 2, 8)):
@@ -71,8 +72,8 @@ def evenly(places: Float[Tensor, "c 2"], pitch: float) -> Float[Tensor, "n 2"]:
     way = places[1:] - places[:-1]
     long = way.norm(dim=1)
     count = max(round(float(long.sum()) / pitch), 1)
-    share = (torch.arange(count, device=places.device) + 0.5) / count * long.sum()
+    fraction = (torch.arange(count, device=places.device) + 0.5) / count * long.sum()
     ends = long.cumsum(0)
-    k = torch.searchsorted(ends, share).clamp_max(len(long) - 1)
-    into = 1 - (ends[k] - share) / long[k]
+    k = torch.searchsorted(ends, fraction).clamp_max(len(long) - 1)
+    into = 1 - (ends[k] - fraction) / long[k]
     return places[k] + into[:, None] * way[k]

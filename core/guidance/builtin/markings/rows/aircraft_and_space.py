@@ -1,4 +1,4 @@
-"""Markings of what flies in the air or in space, and of planets."""
+"""Markings of aircraft, spacecraft and planets."""
 
 from functools import partial
 

@@ -51,7 +51,7 @@ PHOENIX_QUILLS = (
 BREATHS = [(0.1 + 0.07 * k, up) for k in range(2) for up in (0.44, 0.4)]
 WHISKERS = [(0.5, 0.2), (0.66, -0.2), (0.42, -0.35)]
 NAILS = [(0.36, -0.92), (0.56, -0.95), (0.76, -0.92)]
-SNOWMAN = faces.Face(share=0.535)
+SNOWMAN = faces.Face(fraction=0.535)
 ANIMALS: Rows = {
     **dict.fromkeys(("dog", "fox", "lion"), MUZZLED),
     "cat": {
@@ -85,7 +85,9 @@ ANIMALS: Rows = {
         "ears": face_spots("body", (0.3, 1.8, 5.6), sizes=(0.9, 1.2, 2.6)),
     },
     "cow": {
-        "patches": Marking("body", partial(spots.blobs, pitch=0.42, sizes=(0.1, 0.24), share=0.55)),
+        "patches": Marking(
+            "body", partial(spots.blobs, pitch=0.42, sizes=(0.1, 0.24), fraction=0.55)
+        ),
         "nostrils": Marking(
             "muzzle", partial(studs.dots, places=[(0.4, 0.05)], size=0.12, both=True)
         ),
@@ -99,13 +101,13 @@ ANIMALS: Rows = {
         ),
     },
     "chicken": feathers(),
-    # A solid has seven parts at most that are drawn; this is the eighth.
+    # A solid has at most seven drawn parts; this is the eighth.
     "rooster": {
         "eyes": Marking("neck", partial(faces.round_eyes, at=(0.11, 0.2, 0.12), radius=0.06))
     },
     "duck": feathers() | GLINTS,
     "goose": feathers() | GLINTS,
-    # A solid has seven parts at most that are drawn; this is the eighth.
+    # A solid has at most seven drawn parts; this is the eighth.
     "turkey": {
         "eyes": Marking("head", partial(faces.round_eyes, at=(0.12, 0.12, 0.15), radius=0.06))
     },
@@ -230,17 +232,21 @@ ANIMALS: Rows = {
         "edges": Marking("body", partial(stripes.fish_bands, wide=0.115)),
     },
     "koi": {
-        "patches": Marking("body", partial(spots.blobs, pitch=0.36, sizes=(0.1, 0.22), share=0.75))
+        "patches": Marking(
+            "body", partial(spots.blobs, pitch=0.36, sizes=(0.1, 0.22), fraction=0.75)
+        )
     },
     "stingray": {
         "patches": Marking(
-            "body", partial(spots.blobs, pitch=0.17, sizes=(0.025, 0.055), share=0.8)
+            "body", partial(spots.blobs, pitch=0.17, sizes=(0.025, 0.055), fraction=0.8)
         )
     },
     "lobster": {**GLINTS, "bands": bars("tail", way=(0.0, 1.0, 0.0), pitch=0.13, wide=0.016)},
     "tiger": {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.2))},
     "leopard": {
-        "spots": Marking("body", partial(spots.blobs, pitch=0.15, sizes=(0.03, 0.055), share=0.9))
+        "spots": Marking(
+            "body", partial(spots.blobs, pitch=0.15, sizes=(0.03, 0.055), fraction=0.9)
+        )
     },
     "zebra": {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.2))},
     "rhino": {
@@ -269,7 +275,9 @@ ANIMALS: Rows = {
         "mouth": face_lines("face", ((0.4, -3.7), (-0.6, -3.3), (-9.0, -3.25)), wide=0.25),
     },
     "dalmatian": {
-        "spots": Marking("body", partial(spots.blobs, pitch=0.2, sizes=(0.025, 0.075), share=0.85))
+        "spots": Marking(
+            "body", partial(spots.blobs, pitch=0.2, sizes=(0.025, 0.075), fraction=0.85)
+        )
     },
     "skunk": {"stripe": Marking("body", partial(bands.ridge, wide=0.2))},
     "squirrel": {**GLINTS, "ears": face_spots("body", (0.0, 2.4, 3.7), sizes=(0.8, 1.3, 1.6))},

@@ -134,7 +134,7 @@ BUILDINGS: Rows = {
     },
     "hut": {
         "zigzags": Marking(
-            "walls", partial(bands.zigzags, at=0.0, count=16, high=0.13, wide=0.022)
+            "walls", partial(bands.bordered_zigzag, at=0.0, count=16, high=0.13, wide=0.022)
         ),
     },
     "log cabin": {"mullions": Marking("window", partial(panes.frames, openings=WHOLE_FRONT))},

@@ -50,7 +50,7 @@ EARED = faces.Face(axis=2)
 GIRL = faces.Face(radius=0.33)
 CHARACTERS: Rows = {
     "girl": mouth(-0.42, face=GIRL),
-    # A solid has seven parts at most that are drawn; this is the eighth.
+    # A solid has at most seven drawn parts; this is the eighth.
     "boy": {
         "eyes": Marking("skin", partial(faces.round_eyes, at=(0.147, 0.3, 0.31), radius=0.075)),
         "stripe": Marking("shirt", partial(bands.hoop, at=-0.22, wide=0.26, within=0.72)),
@@ -65,7 +65,11 @@ CHARACTERS: Rows = {
         "cheeks": Marking("skin", partial(faces.ovals, at=(0.55, -0.3), size=(0.18, 0.14))),
     },
     "king": eyes((0.42, 0.2), (0.17, 0.24))
-    | {"spots": Marking("fur", partial(spots.blobs, pitch=0.12, sizes=(0.024, 0.034), share=0.8))},
+    | {
+        "spots": Marking(
+            "fur", partial(spots.blobs, pitch=0.12, sizes=(0.024, 0.034), fraction=0.8)
+        )
+    },
     **{
         noun: eyes((0.41, 0.04), (0.175, 0.245)) | mouth()
         for noun in ("princess", "queen", "fairy", "angel")
@@ -93,7 +97,7 @@ CHARACTERS: Rows = {
     "soldier": {
         **mouth(),
         "patches": Marking(
-            "uniform", partial(spots.blobs, pitch=0.2, sizes=(0.05, 0.11), share=0.65)
+            "uniform", partial(spots.blobs, pitch=0.2, sizes=(0.05, 0.11), fraction=0.65)
         ),
     },
     "police officer": {
@@ -108,7 +112,7 @@ CHARACTERS: Rows = {
     },
     "clown": {
         "mouth": Marking("skin", partial(faces.smile, at=-0.5, wide=0.56, deep=0.5, line=0.09)),
-        "dots": Marking("suit", partial(spots.blobs, pitch=0.2, sizes=(0.055, 0.07), share=0.9)),
+        "dots": Marking("suit", partial(spots.blobs, pitch=0.2, sizes=(0.055, 0.07), fraction=0.9)),
     },
     "astronaut": {
         "glare": Marking(
@@ -130,7 +134,7 @@ CHARACTERS: Rows = {
     },
     "witch": eyes((0.44, 0.26), (0.2, 0.22)) | mouth(-0.5, 0.34),
     "elf": eyes((0.41, 0.08), (0.175, 0.245), EARED) | mouth(-0.4, 0.18, EARED),
-    # A solid has seven parts at most that are drawn; this is the eighth.
+    # A solid has at most seven drawn parts; this is the eighth.
     "dwarf": {
         "eyes": Marking("skin", partial(faces.round_eyes, at=(0.12, 0.2, 0.24), radius=0.075))
     },

@@ -51,7 +51,7 @@ CLOTHES: Rows = {
     },
     "handbag": {
         "piping": Marking("flap", partial(outlines.laid, **own.FLAP_PIPING)),
-        "quilting": Marking("body", partial(seams.cross_quilt, pitch=0.17)),
+        "quilting": Marking("body", partial(seams.quilt, pitch=0.17, axes=(0, 2))),
     },
     "suitcase": {
         "stickers": Marking("body", partial(outlines.laid, **own.STICKERS)),

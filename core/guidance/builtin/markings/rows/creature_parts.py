@@ -1,17 +1,17 @@
-"""Markings that several people, animals and toys share: eyes, mouths, feathers, bars, spots."""
+"""Markings that several people, animals and toys fraction: eyes, mouths, feathers, bars, spots."""
 
 from functools import partial
 
 from core.guidance.builtin.markings.forms import faces, lines, scales, spots
-from core.guidance.builtin.markings.margins import Way
+from core.guidance.builtin.markings.margins import Pair, Way
 from core.guidance.builtin.markings.marking import Marking
 
 GLINTS = {"glints": Marking("eyes", faces.eye_glints, paired=True)}
 MUZZLED = {"mouth": Marking("muzzle", faces.muzzle_mouth)}
 
 
-def eyes(at: faces.At, size: faces.At, face: faces.Face = faces.HEAD) -> dict[str, Marking]:
-    """A pair that has a light in it, on a round head; in head radii."""
+def eyes(at: Pair, size: Pair, face: faces.Face = faces.HEAD) -> dict[str, Marking]:
+    """A pair of eyes with reflections on a round head; in head radii."""
     return {
         "glints": Marking("eyes", partial(faces.face_glints, at=at, size=size, face=face)),
         "eyes": Marking("skin", partial(faces.ovals, at=at, size=size, face=face)),
@@ -32,14 +32,14 @@ def face_lines(
     side: bool = False,
     until: float = 6.0,
 ) -> Marking:
-    """On a face, by its eyes."""
+    """Lines on a face, placed by its eyes."""
     axes = faces.SIDE if side else faces.FRONT
     marks = partial(faces.by_eyes, curves=curves, wide=wide, axes=axes, until=until)
     return Marking(on, marks, by="eyes", paired=True)
 
 
 def face_spots(on: str, *middles: Way, sizes: Way) -> Marking:
-    """Nostrils, cheeks and the like, by the eyes."""
+    """Nostrils, cheeks and similar spots, placed by the eyes."""
     marks = partial(faces.about_eyes, middles=middles, sizes=sizes)
     return Marking(on, marks, by="eyes", paired=True)
 
@@ -47,18 +47,18 @@ def face_spots(on: str, *middles: Way, sizes: Way) -> Marking:
 def pupils(
     wide: float = 0.45, high: float = 0.45, way: Way = (0.1, -1.0, 0.05)
 ) -> dict[str, Marking]:
-    """Of eyes that have none."""
+    """Pupils of eyes."""
     spots = ((way, (wide, high)),)
     return {"pupils": Marking("eyes", partial(faces.on_eye, spots=spots), paired=True)}
 
 
 def feathers(**others: object) -> dict[str, Marking]:
-    """Of wings that are folded at both sides."""
+    """Feathers of wings folded at both sides."""
     return {"feathers": Marking("wings", partial(scales.plumage, **others), paired=True)}
 
 
 def bars(on: str, **others: object) -> Marking:
-    """Lines across a way, as between the plates of a belly."""
+    """Lines across a direction, such as between the plates of a belly."""
     return Marking(on, partial(lines.bars, **others))
 
 
@@ -68,10 +68,10 @@ def wing_lines(
     wide: float = 0.013,
     axes: tuple[int, int] = faces.FRONT,
 ) -> Marking:
-    """On wings, alike on both sides."""
+    """Lines on wings, mirrored."""
     return Marking(on, partial(lines.drawn_lines, curves=curves, wide=wide, axes=axes), paired=True)
 
 
-def mottled(on: str, pitch: float, low: float, high: float, share: float) -> Marking:
-    """Round spots of sizes from ``low`` to ``high``, scattered about."""
-    return Marking(on, partial(spots.blobs, pitch=pitch, sizes=(low, high), share=share))
+def mottled(on: str, pitch: float, low: float, high: float, fraction: float) -> Marking:
+    """Scattered round spots of sizes from ``low`` to ``high``."""
+    return Marking(on, partial(spots.blobs, pitch=pitch, sizes=(low, high), fraction=fraction))

@@ -72,7 +72,7 @@ ELECTRONICS: Rows = {
         "badges": Marking("cabinet", partial(outlines.laid, **own.SLOT_BADGES)),
     },
     "phone": {
-        "icons": Marking("screen", lattices.icons),
+        "icons": Marking("screen", pictures.icons),
         "lenses": Marking("camera", partial(outlines.laid, **own.PHONE_LENSES)),
         "camera": Marking("body", partial(outlines.laid, **own.PHONE_CAMERA)),
     },

@@ -24,10 +24,12 @@ FOOD_AND_PLANTS: Rows = {
     },
     "pizza": {
         "specks": Marking(
-            "salami", partial(spots.blobs, pitch=0.07, sizes=(0.009, 0.017), share=0.55)
+            "salami", partial(spots.blobs, pitch=0.07, sizes=(0.009, 0.017), fraction=0.55)
         ),
         "basil": Marking("cheese", partial(outlines.laid, **own.BASIL)),
-        "spots": Marking("cheese", partial(spots.blobs, pitch=0.18, sizes=(0.02, 0.05), share=0.4)),
+        "spots": Marking(
+            "cheese", partial(spots.blobs, pitch=0.18, sizes=(0.02, 0.05), fraction=0.4)
+        ),
     },
     "easter egg": {
         "stripes": Marking("shell", bands.egg_bands),
@@ -46,11 +48,11 @@ FOOD_AND_PLANTS: Rows = {
     },
     "pie": {
         "bands": Marking("dish", partial(bands.belts, spans=own.DISH_BANDS)),
-        "flutes": Marking("dish", partial(lines.flutes, count=28, share=0.2, high=0.9)),
+        "flutes": Marking("dish", partial(lines.flutes, count=28, fraction=0.2, high=0.9)),
     },
     "cookie": {
         "dimples": Marking(
-            "body", partial(spots.blobs, pitch=0.16, sizes=(0.016, 0.034), share=0.6)
+            "body", partial(spots.blobs, pitch=0.16, sizes=(0.016, 0.034), fraction=0.6)
         ),
     },
     "lollipop": {"swirl": Marking("candy", rings.spiral)},
@@ -74,7 +76,7 @@ FOOD_AND_PLANTS: Rows = {
     },
     "cactus": {
         "spines": Marking(
-            "body", partial(spots.blobs, pitch=0.09, sizes=(0.012, 0.015), share=0.95)
+            "body", partial(spots.blobs, pitch=0.09, sizes=(0.012, 0.015), fraction=0.95)
         )
     },
     "flower": {

@@ -84,13 +84,21 @@ FURNITURE: Rows = {
         "stripes": Marking("vase", partial(bands.belts, spans=own.VASE_STRIPES)),
     },
     "cabinet": {
-        "panels": Marking("doors", frames.door_panels, paired=True),
+        "panels": Marking(
+            "doors", partial(frames.repeated, axes=(0,), room=0.05, **own.CABINET_DOOR), paired=True
+        ),
     },
     "wardrobe": {
         "panels": Marking("doors", partial(outlines.laid, **own.WARDROBE_PANELS), by="body"),
     },
-    "dresser": {"panels": Marking("drawers", frames.each_drawer)},
-    "nightstand": {"panels": Marking("drawers", frames.each_drawer)},
+    **{
+        noun: {
+            "panels": Marking(
+                "drawers", partial(frames.repeated, axes=(0, 2), room=0.045, **own.DRAWER)
+            )
+        }
+        for noun in ("dresser", "nightstand")
+    },
     "mirror": {
         "gems": Marking("frame", partial(outlines.laid, **own.MIRROR_GEMS)),
         "backing": Marking("frame", partial(outlines.laid, **own.MIRROR_BACK)),
@@ -98,7 +106,7 @@ FURNITURE: Rows = {
     },
     "lamp": {
         "bands": Marking("shade", partial(bands.belts, spans=own.SHADE_BANDS)),
-        "pleats": Marking("shade", partial(lines.flutes, count=24, share=0.15, high=0.9)),
+        "pleats": Marking("shade", partial(lines.flutes, count=24, fraction=0.15, high=0.9)),
     },
     "fireplace": {"mortar": Marking("body", tiles.courses)},
     "grandfather clock": {"marks": Marking("face", partial(dials.hours, radius=1.0))},

@@ -1,4 +1,4 @@
-"""Markings of ware, lamps, clocks, fixtures and small things of a house."""
+"""Markings of tableware, lamps, clocks, fixtures and small household things."""
 
 from functools import partial
 
@@ -57,7 +57,7 @@ HOUSEHOLD: Rows = {
         "trim": Marking("base", partial(bands.belts, spans=own.BLENDER_TRIM)),
     },
     "door": {
-        "trim": Marking("panels", frames.door_trim),
+        "trim": Marking("panels", partial(frames.repeated, axes=(2,), room=0.067, **own.DOOR_TRIM)),
         "keyhole": Marking("lock plate", partial(outlines.laid, **own.DOOR_KEYHOLE)),
         "lock plate": Marking("door", partial(outlines.laid, **own.DOOR_LOCK)),
         "hinges": Marking("door", partial(outlines.laid, **own.DOOR_HINGES)),
@@ -92,7 +92,7 @@ HOUSEHOLD: Rows = {
         "rivets": Marking("bands", partial(studs.studs, count=12, size=0.018, at=0.52)),
     },
     "trash can": {
-        "flutes": Marking("body", partial(lines.flutes, count=14, share=0.34, high=0.84)),
+        "flutes": Marking("body", partial(lines.flutes, count=14, fraction=0.34, high=0.84)),
     },
     "fan": {
         "buttons": Marking("stand", partial(outlines.laid, **own.FAN_BUTTONS)),

@@ -108,7 +108,7 @@ PROPS_AND_ARMS: Rows = {
         "stitches": Marking("skirt", partial(outlines.laid, **own.SADDLE_EDGE)),
     },
     "engine": {
-        "pleats": Marking("filter", partial(lines.flutes, count=26, share=0.4, high=0.9)),
+        "pleats": Marking("filter", partial(lines.flutes, count=26, fraction=0.4, high=0.9)),
     },
     "gift": {
         "dots": Marking("box", partial(outlines.laid, **own.GIFT_DOTS)),

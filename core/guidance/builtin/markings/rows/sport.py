@@ -1,4 +1,4 @@
-"""Markings of balls, and of what else sport is done with."""
+"""Markings of balls and other sports equipment."""
 
 from functools import partial
 
