@@ -1,13 +1,13 @@
 """Guidance with a known answer: the exact score of a Gaussian mixture over reference pictures.
 
-Around each of K reference latents μ_k of the very camera lies a Gaussian of standard deviation
+Around each of K reference latents μ_k of the very camera is a Gaussian of standard deviation
 ``std``. Diffused, it is N(sqrt(alpha_bar) μ_k, (alpha_bar std² + sigma²) I), so the noise that
 the optimal denoiser predicts is known in closed form (Karras et al. 2022, appendix B.3):
 
     ε̂ = -sigma ∇ log p(z_t) = sigma (z_t - sqrt(alpha_bar) Σ_k r_k μ_k) / (alpha_bar std² + sigma²)
     r = softmax_k(-|z_t - sqrt(alpha_bar) μ_k|² / 2 (alpha_bar std² + sigma²))
 
-It rebuilds shapes that it is given. With it a fault of the geometry's code is distinguished
+It rebuilds given shapes. With it a fault of the geometry's code is distinguished
 from a weakness of a learnt prior: for tests, never a feature.
 """
 

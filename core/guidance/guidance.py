@@ -32,7 +32,7 @@ class PromptWarning(UserWarning):
 
 @dataclass(frozen=True)
 class Views:
-    """What a guidance may know about the batch of pictures."""
+    """What a guidance may know about a batch of pictures."""
 
     cameras: Cameras
     # [n, 2o - 1, p]: object-frame normals, coverage, and points weighted by coverage, of the same
@@ -49,18 +49,18 @@ class Views:
 
 
 class Surface(NamedTuple):
-    """What a part of the object is made of, for the detail of its maps."""
+    """The substance of a part of the object, for the detail of its maps."""
 
     kind: str  # one of core.texture.detail.kinds
     color: tuple[float, float, float]  # sRGB, by which the part is found among the others
-    # To a kind that the model was asked for by another name: the base colour's factor, linear, and
-    # what is added to roughness and metallic.
+    # For a kind that the model knows by another name: the base colour's factor, linear, and what is
+    # added to roughness and metallic.
     factor: tuple[float, float, float] = (1.0, 1.0, 1.0)
     roughness: float = 0.0
     metallic: float = 0.0
     weather: tuple[str, ...] = ()  # of core.texture.detail.weather, the lowest first
     glow: float = 0.0  # how much of its colour it emits, in [0, 1]
-    clear: float = 0.0  # how much of what does not mirror goes through it, in [0, 1]
+    clear: float = 0.0  # transmitted fraction of the light that is not reflected, in [0, 1]
     depth: float = 1.0  # of the kind's light and dark in the base colour: 0 is none
 
 
@@ -77,7 +77,7 @@ class Predictions(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Floating-point operations of one view."""
+    """Floating-point operations for one view."""
 
     prediction: float  # guided: of all its texts
     encoding: float  # with its gradient
@@ -91,12 +91,12 @@ class Guidance(ABC):
     ]  # the schedule; z_t = sqrt(alpha_bar) z + sqrt(1 - alpha_bar) eps
     latent_size: int
     normal_frame: NormalFrame  # the axes in which it wants its normals
-    # Views that it predicts together: a batch then holds whole groups, their azimuths evenly apart.
+    # Views that it predicts together: a batch then holds whole groups with evenly spaced azimuths.
     views_together: int = 1
-    busy_bytes: int = 0  # that a prediction or an encoding takes for itself, where it is much
+    busy_bytes: int = 0  # memory of a prediction or an encoding, where it is much
 
     def work(self) -> Work | None:
-        """What one view takes, where it is worth a notice; None: little."""
+        """The work for one view where it is worth a notice; None: little."""
         return None
 
     @abstractmethod
@@ -131,17 +131,17 @@ class Guidance(ABC):
 
 
 class Area(NamedTuple):
-    """What is meant by one area of an object."""
+    """The properties of an area of an object."""
 
     plain: bool  # no more than one colour
     ranges: MaterialRanges
     surface: Surface
-    level: bool = True  # nothing of it stands out of the shape, or is sunk
+    level: bool = True  # no part of it stands out of the shape or is sunk
 
 
 @runtime_checkable
 class Areas(Protocol):
-    """The areas of an object that are of one colour and one substance each."""
+    """The areas of an object, each of one colour and one substance."""
 
     each: tuple[Area, ...]
 
@@ -149,15 +149,15 @@ class Areas(Protocol):
         """The area of each place of the surface, training units."""
         ...
 
-    def told(
+    def certain(
         self, points: Float[Tensor, "n 3"], reach: float
     ) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
-        """The area of each place of the surface, and whether that of all within ``reach``."""
+        """The area of each place of the surface, and whether all within ``reach`` have the same."""
         ...
 
     def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:
-        """Where each place of an area takes its material from: farther inside the area where a
-        border is near."""
+        """The place from which each place of an area takes its material: farther inside the area
+        near a border."""
         ...
 
     def slope(
@@ -167,8 +167,8 @@ class Areas(Protocol):
         area: Int[Tensor, " n"],
         step: float,
     ) -> Float[Tensor, "n 3"]:
-        """The gradient along the surface of how far it stands out of the shape at places of the
-        areas, as a frame does around a pane; over ``step``, training units."""
+        """The gradient along the surface of its height at places of the areas, such as around a
+        pane in a frame; over ``step``, training units."""
         ...
 
     def nearest(self) -> Int[Tensor, "k k k"]:
@@ -177,7 +177,7 @@ class Areas(Protocol):
 
 
 class PromptedGuidance(ABC):
-    """A guidance with its prompts: what the trainings use. The schedule, the latents and their
+    """A guidance with its prompts, as the trainings use it. The schedule, the latents and their
     encoders are the guidance's own."""
 
     views_together: int = 1
@@ -204,33 +204,34 @@ class PromptedGuidance(ABC):
         return self._guidance.encode_color(srgb, o)
 
     def ranges(self) -> MaterialRanges | None:
-        """What the words themselves state of the material; None where they leave all open."""
+        """The material ranges that the words state; None where they leave all open."""
         return None
 
     def surfaces(self) -> tuple[Surface, ...]:
-        """What the words and the thing's nature state of the parts' substances; none where the
-        model paints its own detail."""
+        """The substances of the parts by the words and by nature; none where the model paints its
+        own detail."""
         return ()
 
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views
     ) -> Float[Tensor, "b 4 s s"] | None:
-        """The latents of a shape's own renders made crisp; None where the guidance has no such
-        network. No gradient."""
+        """The latents of a shape's own renders, made crisp, without gradient; None without such a
+        network."""
         del pictures, views
         return None
 
     def of_object(self, seed: int, whole: bool = True) -> "PromptedGuidance":
-        """The guidance of one certain object that the prompt means, drawn by ``seed``; itself where
-        it knows pictures alone.
+        """The guidance of one object of the prompt, drawn by ``seed``; itself where it knows
+        pictures alone.
 
-        ``whole``: with what the prompt wants together with the thing, such as what it is on.
+        ``whole``: with the things that the prompt wants together with it, such as its support.
         """
         del seed, whole
         return self
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedGuidance":
-        """The guidance of that object in the proportions of ``guide``; itself where none is drawn.
+        """The guidance of that object in the proportions of ``guide``; itself without a drawn
+        object.
 
         ``least``: half of the thickness that thin parts of the guide get, training units.
         """
@@ -238,19 +239,19 @@ class PromptedGuidance(ABC):
         return self
 
     def start_shape(self) -> Shape | None:
-        """The solid of that object, for Ψ to start from; None where there is none."""
+        """The solid of that object, for Ψ to start from; None without one."""
         return None
 
     def size_m(self) -> float | None:
-        """The longest side of that object in metres; None: the prompt's words alone say it."""
+        """The longest side of that object in metres; None: only the prompt's words state it."""
         return None
 
     def areas(self) -> Areas | None:
-        """The areas of that object; None where its parts are not known."""
+        """The areas of that object; None without known parts."""
         return None
 
     def left_out(self) -> tuple[str, ...]:
-        """A note on each thing that the prompt wants of the object and that is not so."""
+        """A note on each thing that the prompt wants of the object and that is left out."""
         return ()
 
     def parts(self) -> KnownParts | None:
@@ -273,7 +274,7 @@ class PromptedGuidance(ABC):
             t: indices into ``alpha_bar``.
             cond_only: the caller needs ``cond`` alone, and the others may be left out.
             apart: the negative prompt's prediction next to that of no words, not in its place;
-                ``negative`` is None where there is no negative prompt.
+                ``negative`` is None without a negative prompt.
         """
 
 

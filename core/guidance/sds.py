@@ -250,7 +250,7 @@ def sds_grad(
             score = guidance_scale * classifier_score(predictions, method.negative)
         else:
             score = predict_eps(guidance, z_t, t, views, guidance_scale) - eps
-    # Checked on both sides of the network, so that the message names where the fault lies; and
+    # Checked on both sides of the network, so that the message names the place of the fault; and
     # together, so that a GPU is waited for once.
     if not bool(z.isfinite().all() & score.isfinite().all()):
         _require_finite(z, t, "The picture that goes to the guidance")

@@ -66,13 +66,13 @@ def test_a_point_near_the_border_goes_to_the_inset_and_others_stay():
 def test_a_place_is_told_to_be_clear_where_no_border_is_near():
     borders, _ = _ball()
     points = _on_the_ball()
-    area, clear = borders.told(points, 0.0)
+    area, clear = borders.certain(points, 0.0)
     assert torch.equal(area == 1, points[:, 0] > 0)
     assert torch.equal(clear, 2 * points[:, 0].abs() >= FLUSH)
-    _, clear = borders.told(points, 0.1)  # of a coarse texture
+    _, clear = borders.certain(points, 0.1)  # of a coarse texture
     assert torch.equal(clear, points[:, 0].abs() >= 0.1)
     one = SolidAreas(lambda p: (p[:, 0], p[:, :1]), TWO[:1], cells=4)
-    area, clear = one.told(points, 0.0)
+    area, clear = one.certain(points, 0.0)
     assert clear.all() and not area.any()
 
 
@@ -286,18 +286,18 @@ def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch)
     monkeypatch.setattr(pieces, "SEARCH", 40)
     guidance = shipped_prior()
 
-    def told(prompt):
+    def areas_of(prompt):
         parts = guidance.prompted(prompt, "")
         each = parts.of_object(0).areas().each
         return dict(zip(looks(parts.words.noun), each, strict=True))
 
-    sword = told("a sword")
+    sword = areas_of("a sword")
     assert sword["blade"].ranges.metallic == (1.0, 1.0)
     assert sword["grip"].ranges.metallic == (0.0, 0.0)
     low, high = sword["blade"].ranges.roughness
     assert low < FINISHES["metal"].roughness < high < 0.35
     assert (sword["blade"].surface.kind, sword["grip"].surface.kind) == ("metal", "leather")
-    car = told("a golden car")
+    car = areas_of("a golden car")
     assert car["body"].ranges.metallic == (1.0, 1.0)
     assert car["windows"].ranges.metallic == (0.0, 0.0)
     assert car["windows"].ranges.roughness[1] < 0.15 < 0.7 < car["wheels"].ranges.roughness[0]

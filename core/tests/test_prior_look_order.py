@@ -193,7 +193,10 @@ def test_what_is_before_a_thing_is_whose_it_is(prompt, thing, color):
 @pytest.mark.parametrize(
     ("prompt", "note"),
     [
-        ("box with velvet inside", "velvet inside: left out, as the inside looks as the outside."),
+        (
+            "box with velvet inside",
+            "velvet inside: left out, as the inside looks like the outside.",
+        ),
         ("bowl white with blue interior", "blue interior: left out"),
         ("a vase with flowers on top", "flower: left out, as one thing is made at a time."),
     ],

@@ -190,7 +190,7 @@ def test_what_is_of_metal_by_nature_leaves_the_colour_to_the_rest():
 def test_gems_take_the_colour_and_what_has_no_part_for_it_loses_it(prompt, parts):
     told = read(prompt)
     assert (told["part_colours"], told["colours"]) == (parts, [])
-    lost = "black: left out, as nothing else of it has a colour."
+    lost = "black: left out, as nothing else in it has a colour."
     assert (lost in told["notes"]) == (not parts)
 
 

@@ -90,7 +90,7 @@ def test_what_is_no_part_by_itself_is_not_left_away_and_all_of_a_thing_neither()
     ):
         words = parse(prompt)
         assert (words.absent, words.left_out) == ((), (f"without {form}",))
-        assert words.notes == (f"without {form}: left out, as that is no part by itself here.",)
+        assert words.notes == (f"without {form}: left out, as that is not a separate part here.",)
     assert parse("a cake without candles").absent == ("candles", "flames")
     # What may be stated is learnt, whatever the part is called.
     words = parse("a candle without a handle")

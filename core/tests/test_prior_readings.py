@@ -42,7 +42,7 @@ def read(prompt: str) -> dict:
 )
 def test_what_it_is_not_is_left_out_and_said(prompt: str, lacks: str) -> None:
     found = read(prompt)
-    assert f"not {lacks}: left out, as nothing else is said in its place." in found["notes"]
+    assert f"not {lacks}: left out, as nothing else is given in its place." in found["notes"]
     assert (found["colours"], found["shape"]) == ([], None)
     assert found["materials"] == (["metal"] if "but" in prompt else [])
 
@@ -433,9 +433,12 @@ def test_a_shade_before_a_part_is_the_parts() -> None:
             "three legs: left out, as the legs of a chair are not counted.",
         ),
         ("a sofa with four legs", "four legs: left out, as the legs of a sofa are not counted."),
-        ("a bookshelf with four shelves", "shelves: left out, as that is no part by itself here."),
-        ("a wizard with a big head", "head: left out, as that is no part by itself here."),
-        ("a car with a red roof", "red roof: left out, as that is no part by itself here."),
+        (
+            "a bookshelf with four shelves",
+            "shelves: left out, as that is not a separate part here.",
+        ),
+        ("a wizard with a big head", "head: left out, as that is not a separate part here."),
+        ("a car with a red roof", "red roof: left out, as that is not a separate part here."),
         ("a vase with three legs", "three legs: left out, as a vase has none here."),
     ],
 )

@@ -227,7 +227,7 @@ def test_a_true_synonym_is_not(prompt):
 
 
 def test_a_narrower_word_that_is_left_out_is_not_made_as_anything():
-    assert parse("a pony lamp").notes == ("'pony': left out, as nothing is drawn of it.",)
+    assert parse("a pony lamp").notes == ("'pony': left out, as it is not drawn.",)
 
 
 def test_narrower_words_are_known_words_and_no_slot_is_all_narrower():
@@ -403,7 +403,7 @@ def test_a_reading_is_the_same_in_every_process():
 def test_what_is_left_out_is_said_for_its_own_reason():
     notes = understood("a book with three brass gizmos", known=SLOTS)["notes"]
     assert notes == [
-        "'brass': left out with what is not known beside it.",
+        "'brass': left out with the unknown words next to it.",
         "'three': left out, as parts are not counted.",
         "The built-in model does not know 'gizmos': left out.",
     ]

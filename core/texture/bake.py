@@ -120,7 +120,7 @@ def _means(
     mean, area = torch.zeros(len(where), 8, device=device), None
     once = torch.zeros_like(count, dtype=torch.bool)  # what one point says all of
     if areas:
-        told = [areas.told(part, reach) for part in middle.split(CHUNK)]
+        told = [areas.certain(part, reach) for part in middle.split(CHUNK)]
         area, once = (torch.cat(x) for x in zip(*told, strict=True))
         for here in once.nonzero().squeeze(1).split(CHUNK):
             mean[here] = torch.cat(material(middle[here], area[here]), -1).to(mean)

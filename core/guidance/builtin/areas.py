@@ -1,5 +1,4 @@
-"""The areas of a drawn solid that are of one colour each: its parts, and in a part that has a
-pattern the places of its colours.
+"""The areas of a drawn solid, each of one colour: its parts, and the colours of a patterned part.
 
 Γ learns colours from pictures of 64², where a border between two areas is a pixel or two wide, 6 %
 of the object. The areas themselves are known in space, so a texel near a border takes the material
@@ -20,14 +19,14 @@ from core.guidance.guidance import Area
 from core.ops import across
 
 CELLS = 80  # of the lattice on which the parts are known, along an edge
-INSET = 0.06  # training units: what a picture's blur covers
-STEPS = 3  # on the way; each looks anew where the border is
-UNCLEAR = 2.5  # cells: where areas are as deep up to this, the lattice does not tell whose it is
+INSET = 0.06  # training units: width of a picture's blur
+STEPS = 3  # on the way; each searches the border again
+UNCLEAR = 2.5  # cells: depths that differ by less are ambiguous on the lattice
 FLUSH = 0.015  # training units
-ALONG = 0.9  # cosine between two surfaces that run along each other
+ALONG = 0.9  # cosine between two parallel surfaces
 TAP = 0.003  # training units
-LEAST_SLOPE = 1e-3  # of the margin, below which there is no border near
-STEEPEST = 3.0  # a margin's slope, at most: it is the difference of two distances
+LEAST_SLOPE = 1e-3  # of the margin: below it no border is near
+STEEPEST = 3.0  # largest slope of a margin, the difference of two distances
 
 Field = Callable[
     [Float[Tensor, "n 3"]], tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]
@@ -42,7 +41,7 @@ class AreaFields(NamedTuple):
 
     drawn: Field
     near: Field  # the same, exact near the surface
-    each: tuple[Area, ...]  # what the words and nature say of the areas
+    each: tuple[Area, ...]  # their properties by the words and by nature
     heights: Heights
 
 
@@ -57,7 +56,7 @@ def depths(distances: Callable[[Tensor], Tensor], parts: int) -> Field:
 
 
 def patterned(field: Field, margins: "list[Margins | None]") -> Field:
-    """The field of the areas, from that of the parts: one for each part, or one for each colour of
+    """The field of the areas from that of the parts: one for each part, or one for each colour of
     the part's pattern."""
 
     def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
@@ -72,7 +71,7 @@ def patterned(field: Field, margins: "list[Margins | None]") -> Field:
 
 
 class SolidAreas:
-    """Where the areas of one solid are, on a lattice of their depths."""
+    """The areas of one solid, on a lattice of their depths."""
 
     def __init__(
         self,
@@ -82,8 +81,12 @@ class SolidAreas:
         heights: Heights | None = None,
         cells: int = CELLS,
     ) -> None:
-        """``each``: what the words and nature say of the areas. ``near``: what tells them apart
-        near the borders; None: ``field``. ``heights``: None: all is level."""
+        """
+        Args:
+            each: the properties of the areas by the words and by nature.
+            near: the field that distinguishes them near the borders; None: ``field``.
+            heights: None: all is level.
+        """
         self.each, self.field, self.near, self.heights = each, field, near or field, heights
         self.spacing = 2 * EXTENT / cells
         side = torch.linspace(-EXTENT, EXTENT, cells + 1)
@@ -100,12 +103,12 @@ class SolidAreas:
 
     def of(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
         """The area of each point."""
-        return self.told(points, 0.0)[0]
+        return self.certain(points, 0.0)[0]
 
-    def told(
+    def certain(
         self, points: Float[Tensor, "n 3"], reach: float
     ) -> tuple[Int[Tensor, " n"], Bool[Tensor, " n"]]:
-        """The area of each point, and whether it surely is that of all within ``reach``."""
+        """The area of each point, and whether it is surely that of all within ``reach``."""
         depths = self._at(points)[:, 1:]
         area = depths.argmax(1)
         clear = torch.ones_like(area, dtype=torch.bool)
@@ -118,8 +121,8 @@ class SolidAreas:
         return area, clear
 
     def inside(self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 3"]:
-        """The points themselves, or of what is near a border the places along the surface that are
-        ``INSET`` from the border, each in its ``area``."""
+        """The points; near a border, places along the surface ``INSET`` from the border, each in
+        its ``area``."""
         start = self._at(points)
         if start.shape[1] == 2:  # no border
             return points
@@ -145,7 +148,7 @@ class SolidAreas:
         area: Int[Tensor, " n"],
         step: float,
     ) -> Float[Tensor, "n 3"]:
-        """See :class:`Areas`: near a border, in what is not level."""
+        """See :class:`Areas`: near a border, in areas that are not level."""
         found, depths = torch.zeros_like(points), self._at(points)[:, 1:]
         if self.heights is None or depths.shape[1] == 1:
             return found
@@ -158,26 +161,27 @@ class SolidAreas:
         return found
 
     def _owner(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Float[Tensor, " n"]]:
-        """The area whose exact surface each point is on; or the smaller one that was drawn there
-        and whose surface lies along that, under it by no more than what is drawn is off: a pane in
-        a wall, but not an eye that stands out of a head. And by how much more than of any other."""
+        """The area whose exact surface each point is on, and how much deeper the point is in it
+        than in any other. A smaller area drawn there replaces it where its surface runs along the
+        exact one, no deeper below it than the error of the drawn one: a pane in a wall, but not an
+        eye that stands out of a head."""
         exact = self.near(points)[1]
         first, second = exact.topk(2, 1)
         owner, margin = second[:, 0].clone(), first[:, 0] - first[:, 1]
-        beside = margin < FLUSH  # where another may be meant
-        place, mine = points[beside], owner[beside]
+        close = margin < FLUSH  # where another one may be the right one
+        place, mine = points[close], owner[close]
         other = self.field(place)[1].argmax(1)
-        under = first[beside, 0] - exact[beside].gather(1, other[:, None])[:, 0]
+        under = first[close, 0] - exact[close].gather(1, other[:, None])[:, 0]
         smaller = self.sizes[other] < self.sizes[mine]  # a wheel's rim is not the body's
         flush = (under < FLUSH) & smaller
         flush[flush.clone()] = self._along(place[flush], mine[flush], other[flush])
-        owner[beside] = torch.where(flush, other, mine)
+        owner[close] = torch.where(flush, other, mine)
         return owner, margin
 
     def _along(
         self, points: Float[Tensor, "n 3"], one: Int[Tensor, " n"], other: Int[Tensor, " n"]
     ) -> Bool[Tensor, " n"]:
-        """Whether the exact surfaces of two areas run along each other at each point."""
+        """Whether the exact surfaces of two areas are parallel at each point."""
         if not len(points):
             return torch.zeros(0, dtype=torch.bool)
         taps = TAP * torch.cat([torch.eye(3), -torch.eye(3)]).to(points)
@@ -189,8 +193,8 @@ class SolidAreas:
     def _margin(
         self, points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]
     ) -> tuple[Float[Tensor, " n"], Float[Tensor, "n 3"], Float[Tensor, "n 3"]]:
-        """How far deeper the area is than the others, that margin's gradient, and the surface's
-        normal; by central differences."""
+        """How much deeper the area is than the others, the gradient of that margin, and the
+        surface's normal; by central differences."""
         taps = torch.eye(3).to(points) * self.spacing
         here = self._over(self._at(points), area)
         ahead = [self._over(self._at(points + tap), area) for tap in taps]
@@ -202,7 +206,7 @@ class SolidAreas:
 
     @staticmethod
     def _over(values: Float[Tensor, "n c"], area: Int[Tensor, " n"]) -> Float[Tensor, "n 2"]:
-        """The area's margin over the deepest of the others, and the distance."""
+        """The area's margin over the deepest other one, and the distance."""
         depths = values[:, 1:]
         own = depths.gather(1, area[:, None])
         others = depths.scatter(1, area[:, None], -torch.inf).amax(1, keepdim=True)

@@ -1,4 +1,5 @@
-"""The drawn solid in a guide's proportions: its box's, and as far as it bends, its parts'."""
+"""The drawn solid in a guide's proportions: those of its box, and as far as it bends, those of its
+parts."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -21,7 +22,7 @@ Points = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n 3"]]
 
 @dataclass(frozen=True)
 class BentSolid(Solid):
-    """A solid whose points are looked up where they were before it was bent."""
+    """A solid whose points are looked up at their places before the bend."""
 
     bend: Points = torch.Tensor.clone
 
@@ -36,7 +37,7 @@ def bent(
     """``solid`` in the proportions of ``guide``, the more the stronger.
 
     Args:
-        flat: of each part, which fraction of it is meant to be flat.
+        flat: for each part, the fraction of it that should be flat.
         least: half of the thickness that the guide's thin parts get, training units.
     """
     fitted = in_box(solid, normalise(guide.verts)[0], least)
@@ -49,9 +50,9 @@ def bent(
 
 
 def in_box(solid: Solid, guide: Float[Tensor, "v 3"], least: float) -> Solid:
-    """``solid`` scaled along each axis to the box around ``guide``, which is about the origin.
+    """``solid`` scaled along each axis to the box around ``guide``, which is centred at the origin.
 
-    It is less where its corners would be out of the pictures: a crate's, in the box of a ball.
+    It is scaled less where its corners would leave the pictures: a crate in the box of a ball.
     """
     verts, frame = solid.mesh[0], solid.frame
     low, high = verts.amin(0), verts.amax(0)

@@ -64,8 +64,8 @@ from core.guidance.sds import eps_from_v
 
 SIZE = 64
 NOT_DRAWN_ON = (
-    "left out, as only on what the built-in prior draws itself is something written or drawn; not "
-    "on a mesh of yours, nor where the shape is distilled."
+    "left out, as text and emblems are drawn only on what the built-in prior draws itself, not on "
+    "your mesh or a distilled shape."
 )
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
@@ -140,7 +140,7 @@ class PromptedBuiltin(PromptedGuidance):
         negative: Words,
         solid: Solid | None = None,
     ) -> None:
-        """``solid``: the object that is to be made, where one is drawn; its parts are known."""
+        """``solid``: the drawn object, with known parts."""
         super().__init__(guidance)
         self.builtin, self.words, self.negative, self.solid = guidance, words, negative, solid
         self.painted = solid and PaintedSolid(words, solid)
@@ -148,12 +148,12 @@ class PromptedBuiltin(PromptedGuidance):
     def ranges(self) -> MaterialRanges:
         """The roughness and metallic that the words' parts are painted with, and a little around.
 
-        At 64² a rough metal and a dark plastic look alike; the words tell them apart.
+        At 64² a rough metal and a dark plastic look the same; the words distinguish them.
         """
-        # Of all parts together, where it is not known what is where.
+        # Over all parts, as their places are not known.
         parts = list(painted(self.words.noun, self.words)) if self.words.noun else []
-        said = [part for part in parts if part.material] if self.words.material else parts
-        finishes = [part.finish for part in said] or [FINISHES[self.words.material]]
+        named = [part for part in parts if part.material] if self.words.material else parts
+        finishes = [part.finish for part in named] or [FINISHES[self.words.material]]
         rough, metal = ([getattr(f, n) for f in finishes] for n in ("roughness", "metallic"))
         return MaterialRanges(
             (max(min(rough) - 0.15, 0.05), min(max(rough) + 0.1, 0.95)),
@@ -161,11 +161,11 @@ class PromptedBuiltin(PromptedGuidance):
         )
 
     def surfaces(self) -> tuple[Surface, ...]:
-        """Of each part, by the words or by the thing's nature."""
+        """The surface of each part, by the words or by nature."""
         return surfaces_of(self.words)
 
     def of_object(self, seed: int, whole: bool = True) -> "PromptedBuiltin":
-        """One drawn by the solids' network, then stretched as the shape's adjective says."""
+        """An object drawn by the solids' network, then stretched for the shape's adjective."""
         del whole
         net, words = self.builtin.solid, self.words
         if net is None or not words.noun:
@@ -184,7 +184,7 @@ class PromptedBuiltin(PromptedGuidance):
         return PromptedBuiltin(self.builtin, words, self.negative, solid)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
-        """The same of another solid, such as a shirt as somebody wears it."""
+        """The same with another solid, such as a shirt cut to its wearer."""
         return PromptedBuiltin(self.builtin, self.words, self.negative, solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
@@ -205,38 +205,38 @@ class PromptedBuiltin(PromptedGuidance):
         return fields and SolidAreas(fields.drawn, fields.each, fields.near, fields.heights)
 
     def area_fields(self) -> AreaFields | None:
-        """Those areas in space, and what is meant by each."""
+        """Those areas in space, with their properties."""
         return self.painted and self.painted.area_fields(self._axes)
 
     def left_out(self) -> tuple[str, ...]:
-        """A note on each emblem that is not there: on a mesh of the user's, where the shape is
-        distilled, and where the thing has no room for it; and on each part that stays."""
+        """A note on each emblem that is left out (on the user's mesh, on a distilled shape, or
+        without room on the thing), and on each part that stays."""
         if self.painted is None:
             return tuple(f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:
-        """The drawn solid's."""
+        """The parts of the drawn solid."""
         return self.painted and self.painted.parts
 
     @property
     def _axes(self) -> tuple[int, ...]:
-        """Of each of the drawn solid's parts, along which stripes follow one another; none where
-        the negative prompt is of another thing."""
+        """For each part of the drawn solid, the axis along which stripes follow one another; none
+        where the negative prompt names another thing."""
         return () if self.painted is None or self.negative.noun else self.painted.axes
 
     @torch.no_grad()
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views
     ) -> Float[Tensor, "b 4 s s"] | None:
-        """By the restorer, of geometry pictures; None without one."""
+        """Geometry pictures from the restorer; None without one."""
         net = self.builtin.restorer
         # It was trained on geometry pictures alone, and a given surface means colours.
         if net is None or views.surface is not None:
             return None
-        # The prompt's row alone: restoring has no unconditional branch.
+        # Only the prompt's row: restoring has no unconditional branch.
         words = self._indices(GEOMETRY_SLOTS)[:1]
-        # A word that came after its training is not stated: it has seen one object in ten so.
+        # A word newer than its training is not stated: one training object in ten had no words.
         words = words * (words <= words.new_tensor(net.config.words))
         words = words.expand(len(pictures), -1)
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
@@ -262,7 +262,7 @@ class PromptedBuiltin(PromptedGuidance):
         words = self._indices(HINT_SLOTS if paints else GEOMETRY_SLOTS, apart)
         branches = len(words)
         words = words.repeat_interleave(len(z_t), 0)
-        # All branches get the camera and the surface; they differ in words alone.
+        # All branches get the camera and the surface; only their words differ.
         camera = camera_map(views.cameras.to(words.device), SIZE // BLOCK)
         camera, all_z, t = (
             camera.repeat(branches, 1, 1, 1),
@@ -285,9 +285,9 @@ class PromptedBuiltin(PromptedGuidance):
     def _parts(
         self, surface: Float[Tensor, "b 7 s s"], nouns: Int[Tensor, " n"], camera: Tensor
     ) -> Float[Tensor, "n 8 s s"]:
-        """Which part each place of the views' ``surface`` is, of each branch's ``nouns``."""
+        """The part at each place of the views' ``surface``, for each branch's ``nouns``."""
         branches = len(nouns) // len(surface)
-        if self.builtin.parts is None:  # no colour is then stated of any place
+        if self.builtin.parts is None:  # no place has a stated colour then
             return surface.new_zeros(len(nouns), PART_COUNT, SIZE, SIZE)
         if self.painted is not None and not self.negative.noun:
             # The branch without words has no parts.

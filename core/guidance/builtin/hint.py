@@ -1,5 +1,5 @@
-"""What the appearance network is given as a picture: the surface, and the colours that the words
-and the thing's nature give to its parts."""
+"""The picture that the appearance network gets: the surface, and the colours of its parts by the
+words and by nature."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -37,8 +37,9 @@ def hint(
     Args:
         parts: how surely a place belongs to each of the noun's parts (``part_map``).
         words: rows of ``HINT_SLOTS``; 0 is not stated.
-        stated: the words that the rows are of, where they say more than these.
-        axes: of each part, along which stripes follow one another (``patterns.axis_of``).
+        stated: the words of the rows, where they state more than these.
+        axes: for each part, the axis along which stripes follow one another
+            (``patterns.axis_of``).
     """
     stated = stated or [_words_of(tuple(row)) for row in words.tolist()]
     rows = [_part_colors(one, axes) for one in stated]
@@ -53,7 +54,7 @@ def hint(
 
 
 class PartColors(NamedTuple):
-    """What the words make of the noun's parts; rows beyond them are zeros."""
+    """The colours of the noun's parts by the words; rows beyond them are zeros."""
 
     colors: Float[Tensor, "8 6 4"]  # [2 srgb - 1, 1]: of the pattern; of two the part's own first
     patterns: tuple[Laid, ...]
@@ -79,8 +80,8 @@ def _part_colors(words: Words, axes: tuple[int, ...]) -> PartColors:
 def stencil(
     surface: Float[Tensor, "b 7 h w"], patterns: Sequence[Sequence[Laid]]
 ) -> Int[Tensor, "b k h w"]:
-    """Which of its colours the pattern of each of a picture's k parts puts where; the first without
-    one."""
+    """The index of the colour at each place of the patterns of a picture's k parts; 0 without a
+    pattern."""
     batch, _, high, wide = surface.shape
     out = torch.zeros(batch, len(patterns[0]), high, wide, dtype=torch.long, device=surface.device)
     # The points come weighted by coverage; undone, or patterns would bend at silhouettes.

@@ -9,7 +9,7 @@ from core.errors import MissingError
 from core.guidance.builtin.nouns import NOUNS
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
-NETWORKS = ("geometry", "appearance")  # whose words may be asked for
+NETWORKS = ("geometry", "appearance")  # whose words are offered
 PARTS = "parts"  # finds a thing's parts
 SOLID = "solid"  # draws the geometry's start; its words are the geometry network's
 RESTORER = "restorer"  # has no words of its own; may be missing
@@ -29,7 +29,7 @@ def read_metadata(path: Path) -> dict[str, Any]:
         if len(start) < 8:
             raise ValueError("it has no header")
         (length,) = struct.unpack("<Q", start)
-        # A broken file may state any length: never ask for more than there is.
+        # A broken file may state any length: never read more than there is.
         if length > path.stat().st_size:
             raise ValueError("its header is cut")
         header = json.loads(file.read(length))
@@ -37,10 +37,10 @@ def read_metadata(path: Path) -> dict[str, Any]:
 
 
 def offered_words() -> dict[str, list[str]]:
-    """The words by slot that the shipped networks may be asked for.
+    """The words by slot that the shipped networks know.
 
     Raises:
-        MissingError: the weights are not there or broken.
+        MissingError: the weights are missing or broken.
     """
     words: dict[str, list[str]] = {}
     for name in NETWORKS:
@@ -55,7 +55,7 @@ def offered_words() -> dict[str, list[str]]:
 
 
 def drawn_nouns() -> list[str]:
-    """The things among them that have a solid of their own."""
+    """The known things with a solid of their own."""
     return [noun for noun in offered_words()["noun"] if not NOUNS[noun].solid]
 
 

@@ -1,4 +1,4 @@
-"""A drawn solid as it is painted: its parts, their markings, what a prompt wants drawn on them."""
+"""A drawn solid as it is painted: its parts, their markings, and the prompt's emblems on it."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -34,15 +34,15 @@ from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Area
 
-SOFT = 0.01  # of a part's surface, flat: known, and not so
-EVEN = 0.02  # of a scale, along two axes: a circle stays one
+SOFT = 0.01  # flat fraction of a part's surface where it is not known
+EVEN = 0.02  # tolerance of the scales along two axes for a circle to stay one
 LONG = 4  # digits: a number by nature has fewer
-BEARS = "it stays, as what is drawn lies on it."
+BEARS = "it stays, as markings are on it."
 NO_ROOM = "left out, as the thing has no room for it."
 
 
 class PaintedSolid:
-    """One object that the words mean."""
+    """One object of the words."""
 
     def __init__(self, words: Words, solid: Solid) -> None:
         self.words, self.solid = words, solid
@@ -50,7 +50,7 @@ class PaintedSolid:
 
     @cached_property
     def parts(self) -> KnownParts:
-        """Its pieces; what its adjective makes oval is not round."""
+        """Its parts; a part that an adjective makes oval is not round."""
         noun = self.words.noun
         flat, around, least = part_forms_table()[noun]
         if isinstance(self.solid, Garment):  # it has its wearer's form
@@ -59,7 +59,7 @@ class PaintedSolid:
         x, y, z = self.solid.frame.scale
         even = (math.isclose(a, b, rel_tol=EVEN) for a, b in ((y, z), (z, x), (x, y)))
         kept = tuple(tuple(x * here for x in row) for row, here in zip(around, even, strict=True))
-        # A guide may be as wide as the cube, beyond which nothing is looked at.
+        # A guide may be as wide as the cube, the limit of the search.
         is_guided = isinstance(self.solid, BentSolid)
         wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
         corners = CORNERED.get(solid_of(noun), ())
@@ -68,13 +68,13 @@ class PaintedSolid:
 
     @cached_property
     def emblems(self) -> list[Drawn]:
-        """What the prompt wants drawn on it."""
+        """The prompt's emblems on it."""
         others = [one for one in self.words.emblems if not self._is_number(one)]
         return drawn_on(self.words.noun, others, self.parts, self.paints)
 
     @cached_property
     def number(self) -> str:
-        """What is stated of the number that the thing has by nature."""
+        """The stated text of the number that the thing has by nature."""
         return next((one.text for one in self.words.emblems if self._is_number(one)), "")
 
     def _is_number(self, emblem: Emblem) -> bool:
@@ -89,7 +89,7 @@ class PaintedSolid:
         gone = {name for name in self.words.absent if not bears(self.words, name)}
         gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
         if any(one.emblem.text and not one.emblem.on for one in self.emblems):
-            gone |= {"letters", NUMBER}  # others are to be there
+            gone |= {"letters", NUMBER}  # the prompt's own replace them
         if self.words.emblems and is_marking(noun, "badge"):
             taken = {self.paints[one.on].name for one in self.emblems if one.has_place}
             gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
@@ -98,7 +98,8 @@ class PaintedSolid:
 
     @cached_property
     def axes(self) -> tuple[int, ...]:
-        """Of each part, along which stripes follow one another; none where nothing is striped."""
+        """For each part, the axis along which stripes follow one another; none without a striped
+        part."""
         if not ALONG.intersection(one.pattern for one in self.paints):
             return ()
         extents, names = self.parts.extents(), [one.name for one in self.paints]
@@ -110,15 +111,15 @@ class PaintedSolid:
         return self.marked(self.solid.distances(points), points)
 
     def area_fields(self, axes: Sequence[int]) -> AreaFields:
-        """The parts in the colours of their patterns, in space, and what is meant by each.
+        """The parts in the colours of their patterns, in space, with the properties of each area.
 
         ``axes``: ``self.axes``, or () for none.
         """
         along = axes or (2,) * len(self.paints)
         laid = [Laid(part.pattern, axis) for part, axis in zip(self.paints, along, strict=True)]
-        each, shown_on = [], []  # the part that each area is of, or lies on
+        each, shown_on = [], []  # the part of each area, or the one below it
         for index, (part, pattern) in enumerate(zip(self.paints, laid, strict=True)):
-            # Where the colours of some patterns lie is learnt, such as of a tower's bricks.
+            # The places of some patterns' colours are learnt, such as those of a tower's bricks.
             plain = pattern.colors > 1 or part.pattern in ("", part.finish.pattern)
             colors = [part.colors()[k] if plain else None for k in range(pattern.colors)]
             surface = surface_of(self.words, part)
@@ -143,8 +144,8 @@ class PaintedSolid:
         return AreaFields(drawn, near, tuple(each), lambda at, of: self._height(at, parts[of]))
 
     def _height(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
-        """How far the surface stands out at points of the parts: the lines of a pattern that is of
-        the thing's form go in, as a basketball's seams."""
+        """How far the surface stands out at points of the parts; the lines of a pattern that
+        belongs to the thing's form are sunk, such as a basketball's seams."""
         found = self.marked.height(points, part)
         for index, paint in enumerate(self.paints):
             if paint.pattern in LINES:
@@ -153,7 +154,7 @@ class PaintedSolid:
         return found
 
     def left_out(self) -> tuple[str, ...]:
-        """A note on each emblem that the thing has no room for, and on each part that stays."""
+        """A note on each emblem without room on the thing, and on each part that stays."""
         stay = (part for part in self.words.absent if bears(self.words, part))
         no_room = (one.emblem for one in self.emblems if not one.has_place)
         return (*(f"no {part}: {BEARS}" for part in stay), *(f"{e}: {NO_ROOM}" for e in no_room))

@@ -1,6 +1,6 @@
-"""What the words of colour and material mean, and how each noun's parts look by nature.
+"""Values of the colour and material words, and each noun's parts by nature.
 
-Colours are written as sRGB in [0, 1], the way one picks them.
+Colours are written as sRGB in [0, 1].
 """
 
 from collections.abc import Iterator
@@ -32,25 +32,25 @@ from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_tables import FRAMES, WHOLE
 from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS
 
-# Accents of the one are not of the other where that is stated of the whole.
+# Accents of one group do not take a material of the other group that is stated for the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
 HARD = ("metal", "golden", "copper", "rusty", "stone", "ceramic", "glass")
 FRAMING = {*HARD, "wooden"} - {"glass"}
 CLEAR = ("glass", "liquid")
 COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
-GLAZED = ("window", "lantern", "greenhouse")  # whose glass is a part of them
+GLAZED = ("window", "lantern", "greenhouse")  # with a part of glass
 STRIPES = "stripes"  # a part that some things have by nature
 SHADE = "~"  # the role of such a marking, in ``nouns``
-DARKER = 0.6  # sRGB: a shade of what it lies on
+DARKER = 0.6  # sRGB: a shade of the part below
 SWATCHES = 8  # channels of ``swatches``
-# Of what a metal's natural colour lacks of white: the tables have it as one sees it, and it mirrors
-# surroundings that are darker than what lights a wall.
+# Factor on a metal's distance from white: the tables have its visible colour, and it mirrors
+# surroundings that are darker than the light on a wall.
 METAL_LEFT = 0.75
 
 
 class Finish(NamedTuple):
-    """A material word: its own colour unless a colour is stated, and how it shines."""
+    """A material word: its own colour unless a colour is stated, and its gloss."""
 
     color: Color | None
     roughness: float
@@ -74,14 +74,14 @@ FINISHES: dict[str, Finish] = {
     "copper": Finish((0.93, 0.56, 0.42), 0.3, 1.0),
     "fabric": Finish(None, 0.9, 0.0),
 }
-# No words, only by nature: a car's, a bench's legs.
+# Not words, only by nature: a car's paint, a bench's legs.
 PAINT, CAST_IRON = Finish(None, 0.2, 0.0), Finish(None, 0.6, 1.0)
 
 
 def swatches(words: Int[Tensor, "b n"]) -> Float[Tensor, "b 8"]:
-    """The colours that the words state: the first (or the material's own, where no colour is),
-    then the second (or what goes with the first, where only a pattern is); each
-    [2 srgb - 1, 1], or zeros where there is none.
+    """The colours that the words state: the first (or the material's own without a colour), then
+    the second (or the first one's companion, where only a pattern is stated); each
+    [2 srgb - 1, 1], or zeros without one.
 
     So the network need not learn what each colour word looks like on each thing.
 
@@ -100,10 +100,10 @@ def swatches(words: Int[Tensor, "b n"]) -> Float[Tensor, "b 8"]:
 
 @cache
 def _tables() -> tuple[Float[Tensor, "c 8"], Float[Tensor, "m 8"]]:
-    """Of the colours and of the materials: a row's own swatch, and that of its companion."""
+    """For the colours and for the materials: each row's own swatch, and that of its companion."""
 
     def row(color: Color | None) -> list[float]:
-        # The fourth channel tells a stated mid-grey from no colour, which is all zeros.
+        # The fourth channel distinguishes a stated mid-grey from no colour, which is all zeros.
         pair = (color, companion(color)) if color else ()
         return [x for rgb in pair for x in [*(2 * c - 1 for c in rgb), 1.0]] or [0.0] * 8
 
@@ -119,8 +119,8 @@ class Look(NamedTuple):
     color: Color
     pattern: str
     finish: Finish
-    material: str = ""  # what it is of: its finish's name, or the kind of its substance
-    shaded: str = ""  # of a marking the part that it goes with: under words a shade of its colour
+    material: str = ""  # its finish's name, or the kind of its substance
+    shaded: str = ""  # for a marking, the part whose colour it has a shade of under words
 
 
 @cache
@@ -137,33 +137,33 @@ def _look(noun: str, part: str, text: str) -> Look:
     if finish.metallic > 0.5:
         rgb = [1 - (1 - c) * METAL_LEFT for c in rgb]
     red, green, blue = rgb
-    # A seam in the colour of the planks would not be seen.
+    # A joint in the colour of the planks would not be visible.
     on = MARKINGS[noun][part].on if text[0] == SHADE else ""
     role = _role(noun, on) if on else text[0]
     return Look(role, (red, green, blue), pattern.strip("."), finish, kind, on)
 
 
 def _role(noun: str, part: str) -> str:
-    """A part's role; of a marking in a shade that of what it lies on."""
+    """A part's role; for a marking in a shade, that of the part below."""
     role = NOUNS[noun].looks[part][0]
     return _role(noun, MARKINGS[noun][part].on) if role == SHADE else role
 
 
 def darker(color: Color) -> Color:
-    """The shade of a marking on what is of the colour."""
+    """The shade of a marking on a part of the colour."""
     red, green, blue = (DARKER * x for x in color)
     return red, green, blue
 
 
 def _natural(kind: str) -> Finish:
-    """How a part of a kind shines, which has the colour and the pattern of its own look."""
+    """The finish of a part of a kind, whose look has the colour and the pattern."""
     known = (FINISHES | {"paint": PAINT, "cast iron": CAST_IRON}).get(kind, PLAIN)
     return Finish(None, ROUGHNESS.get(kind, known.roughness), known.metallic)
 
 
 @runtime_checkable
 class Stated(Protocol):
-    """The words that a part's paint depends on; empty is not stated."""
+    """The words that a part's paint depends on; empty: not stated."""
 
     @property
     def color(self) -> str: ...
@@ -195,37 +195,37 @@ class Painted(NamedTuple):
     name: str
     look: Look  # by nature
     color: Color
-    second: Color  # what the pattern is drawn with
+    second: Color  # of the pattern
     finish: Finish
     pattern: str
-    material: str = ""  # the word that says what it is of; "" by nature
+    material: str = ""  # its word; "": by nature
     material_form: str = ""  # as it was written
     colored: bool = False  # by a word, and not by its material
-    sheen: tuple[str, ...] = ()  # the words that say how it shines
-    apart: bool = False  # whether something is said of it alone
+    sheen: tuple[str, ...] = ()  # words for its gloss
+    apart: bool = False  # whether words state something for it alone
     tone: str = ""  # of a rainbow
 
     def colors(self) -> tuple[Color, ...]:
-        """Those of a rainbow; else its own and the second."""
+        """Those of a rainbow; otherwise its own and the second."""
         if self.pattern != RAINBOW:
             return self.color, self.second
         return tuple(toned(color, self.tone) if self.tone else color for color in RAINBOW_COLORS)
 
 
 def painted(noun: str, stated: Stated) -> Iterator[Painted]:
-    """What the words make of each of the noun's parts."""
-    # Of a thing with accents these take the second colour; of any other its lower half.
+    """The paint of each of the noun's parts."""
+    # The accents take the second colour, or without accents the lower half.
     two_tone = stated.pattern == "two-tone" and has_accents(noun)
     own = {accent.part: accent for accent in stated.accents}
     first, other = (stated.color, stated.color_form), (stated.second, stated.second_form)
     lines = _own_stripes(noun, stated)
     drawn = lines is not None and not lines.on
-    # "A red cap and white spots": where all of it has looks of its own, these lie on it.
-    said = {a.part for a in stated.accents if a.color or a.material or a.pattern} | {stated.target}
+    # "A red cap and white spots": where all parts have their own looks, these are on top.
+    given = {a.part for a in stated.accents if a.color or a.material or a.pattern} | {stated.target}
     mains = {name for name, look in looks(noun).items() if look.role == "*"}
-    covered = bool(mains) and mains <= said
-    # "A white cake with pink icing": where that is so, its colour is what lies below's.
-    below = [name for name in WHOLE if covered and name in looks(noun) and name not in said]
+    covered = bool(mains) and mains <= given
+    # "A white cake with pink icing": then its colour is that of the part below.
+    below = [name for name in WHOLE if covered and name in looks(noun) and name not in given]
     for name, look in looks(noun).items():
         accent = own.get(name, Accent(name))
         if name not in own and look.shaded in own:
@@ -239,7 +239,7 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         word = (accent.color, accent.color_form)
         targets = (name, look.shaded) if look.shaded else (name,)
         word = other if stated.target in targets and not accent.color else word
-        # What is said of the whole is not of it.
+        # Words for the whole do not apply to it.
         apart = bool(word[0] or accent.material or accent.pattern)
         of_whole = (look.role in "*&" or stated.is_statue) and not apart
         if of_whole or name in below:
@@ -263,9 +263,9 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
             and (look.role == "*" if apart and covered else look.role in "*&" and not apart)
         ):
             pattern = stated.pattern
-        # Of rainbow stripes too.
-        lies = accent.second_form if accent.pattern else other[1] if stated.pattern else ""
-        tones = (rainbow_tone(form) for form in (word[1], lies))
+        # Also for rainbow stripes.
+        below_form = accent.second_form if accent.pattern else other[1] if stated.pattern else ""
+        tones = (rainbow_tone(form) for form in (word[1], below_form))
         tone = next((tone for tone in tones if tone is not None), None)
         if tone is not None and pattern in ("", finish.pattern, "striped"):
             pattern = RAINBOW
@@ -290,15 +290,15 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
 
 
 class OwnStripes(NamedTuple):
-    """Stripes that a thing has by nature where it is to be striped: they are these."""
+    """Stripes that a thing has by nature, used where it should be striped."""
 
-    on: str  # the part that they lie on; "" of the whole
-    color: str  # that they take; "" by nature
+    on: str  # the part below; "": the whole
+    color: str  # their colour; "": by nature
     form: str
 
 
 def _own_stripes(noun: str, stated: Stated) -> OwnStripes | None:
-    """None where it has none of its own, or where others are meant."""
+    """None without stripes of its own, or where others are meant."""
     if STRIPES not in looks(noun):
         return None
     on = STRIPED_PARTS.get(noun, "")
@@ -313,7 +313,7 @@ def _own_stripes(noun: str, stated: Stated) -> OwnStripes | None:
 def _of_words(
     noun: str, look: Look, accent: Accent, stated: Stated
 ) -> tuple[str, str, Finish, Color, str]:
-    """What the words say that a part is of and the form of it, its finish, colour and pattern."""
+    """A part's material by the words and its form, its finish, colour and pattern."""
     material, form = accent.material, accent.material_form
     if not material and (stated.is_statue or is_of(noun, accent.part, stated.material)):
         material, form = stated.material, stated.material_form
@@ -329,15 +329,15 @@ def _of_words(
 
 
 def _value(word: tuple[str, str]) -> Color | None:
-    """Of a colour word and its form; None where none is stated."""
+    """The colour of a colour word and its form; None if not stated."""
     return color_value(*word) if word[0] else None
 
 
 def is_of(noun: str, part: str, material: str) -> bool:
-    """Whether a material that is stated of the noun is one of such a part: not a wooden lamp's
-    shade; nor the metal fittings of what is no metal, such as a wooden chest's bands (of a wooden
-    sword the guard too); nor a golden medal's ribbon or a golden staff's crystal; nor, where the
-    thing is of it by nature, what else it has, such as a glass bottle's cap."""
+    """Whether a material that is stated for the noun applies to the part: not to a wooden lamp's
+    shade; not to the metal fittings of a thing that is not of metal, such as a wooden chest's bands
+    (but to a wooden sword's guard); not to a golden medal's ribbon or a golden staff's crystal; and
+    where the thing is of it by nature, not to its other parts, such as a glass bottle's cap."""
     look = looks(noun)[part]
     if material == "glass" and noun in GLAZED:
         return look.material == "glass"

@@ -1,5 +1,5 @@
-"""How flat and how round the parts of each noun are, and how small their pieces: a table of the
-families (core.prior)."""
+"""How flat and how round the parts of each noun are, and how small their components: a table from
+the families (core.prior)."""
 
 import json
 from functools import cache
@@ -10,30 +10,30 @@ from core.guidance.builtin.nouns import NOUNS
 
 ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
-# Parts of corners that are too many for the network's errors to tell them from round.
+# Parts with so many corners that the network's errors make them look round.
 CORNERED = {"stop sign": ("plate", "rim")}
 
 
 class PartForms(NamedTuple):
-    """Of each part of a noun."""
+    """The forms of a noun's parts."""
 
     flat: tuple[float, ...]  # fraction of its surface
-    # And what is the same all around an axis of its piece, along x, y, z: of a car's wheels each is
-    # a piece.
+    # And the fraction that is the same all around an axis of its component, along x, y, z: each
+    # wheel of a car is a component.
     round: tuple[tuple[float, ...], ...]
-    # The area of its least piece, as a fraction of its largest one's.
+    # The area of its smallest component, as a fraction of its largest one's.
     least: tuple[float, ...]
 
 
 def is_round(noun: str) -> bool:
-    """Whether the first of its parts is round anyway, about the vertical or as a clock is."""
+    """Whether the first part is round by itself, around the vertical or as a clock is."""
     _, *around = part_forms_table()[noun].round
     return max(axis[0] for axis in around) >= ROUND
 
 
 @cache
 def part_forms_table() -> dict[str, PartForms]:
-    """By noun."""
+    """The forms by noun."""
     rows = json.loads(TABLE.read_text("utf-8"))
     known = {
         noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"])), tuple(r["least"]))

@@ -1,8 +1,8 @@
-"""Which part of the thing a place of its surface is, by a small network that reads the surface.
+"""The part at each place of a thing's surface, from a small network that reads the surface.
 
-The families' parts are known in training, so a prompt's "blue handle" can be painted exactly; of a
-trained shape they are not, and this network finds them: a segmentation of the pictures that the
-appearance network is given, in one step and without noise.
+In training the families' parts are known, so that a prompt's "blue handle" can be painted exactly;
+for a trained shape this network finds them: a segmentation of the pictures that the appearance
+network gets, in one step and without noise.
 """
 
 from collections.abc import Callable
@@ -41,7 +41,7 @@ def part_map(
 def known_part_map(
     distances: Callable[[Tensor], Tensor], surface: Float[Tensor, "b 7 s s"]
 ) -> Float[Tensor, "b 8 s s"]:
-    """The same of parts whose distances are known: 1 where a place is of the part, else 0."""
+    """The same for parts with known distances: 1 where a place is of the part, else 0."""
     seen = surface[:, 3] > -1
     covered = (surface[:, 3] + 1) / 2
     points = (surface[:, 4:] / covered[:, None].clamp_min(1e-3)).permute(0, 2, 3, 1)
@@ -57,15 +57,15 @@ def part_logits(
     nouns: Int[Tensor, " b"],
     camera: Float[Tensor, "b 6 m m"],
 ) -> Float[Tensor, "b 8 s s"]:
-    """The network's answer; it takes as many channels as it gives, the last a zero."""
+    """The network's output; it takes as many channels as it gives, the last one zero."""
     t = torch.zeros(len(surface), dtype=torch.long, device=surface.device)
     pictures = torch.cat([surface, torch.zeros_like(surface[:, :1])], 1)
     return net(pictures, t, nouns[:, None], camera).float()
 
 
 def has_parts(nouns: Int[Tensor, " b"]) -> Bool[Tensor, "b 8 1 1"]:
-    """Which parts each of the nouns has that are solids, by its row; 0 is none and has none. The
-    network has seen no others."""
+    """Which parts of each noun are solids, by its row; row 0 is no noun and has none. The network
+    was trained on these only."""
     return _solids().to(nouns.device)[nouns][:, :, None, None]
 
 

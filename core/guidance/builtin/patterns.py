@@ -1,5 +1,4 @@
-"""Patterns that words may ask for, or that parts have by nature, in the object's space: the same in
-every view.
+"""Patterns by words or by nature, in the object's space, so that they are the same in every view.
 
 Most have two colours, and are given by their margin: how far inside the second colour a place is,
 about in training units, negative in the first. A pixel of the prior's pictures is 0.034.
@@ -19,13 +18,13 @@ from core.guidance.builtin.words.colors import RAINBOW, Color
 
 
 class Place(NamedTuple):
-    """Where on the object."""
+    """A place on the object."""
 
     point: Float[Tensor, "p 3"]
     normal: Float[Tensor, "p 3"]
 
 
-# The part's colour and the second colour (P, 3), sRGB, and where: to what is painted.
+# The part's colour and the second colour (P, 3), sRGB, and the place: to the painted colour.
 Pattern = Callable[[Tensor, Tensor, Place], Tensor]
 Margin = Callable[[Float[Tensor, "p 3"]], Float[Tensor, " p"]]
 Margins = Callable[[Float[Tensor, "p 3"]], Float[Tensor, "p c"]]  # of each of the colours
@@ -33,9 +32,9 @@ STRIPE, CELL, SPOT, CHECK, HOOP = 0.21, 0.42, 0.14, 0.21, 0.62
 PLATE, PLATE_LINE = 0.4, 0.022  # across a plate; half the line between two
 KEY, KEY_GAP, KEY_SHIFT = 0.105, 0.009, 0.3  # of a keyboard; half a gap; of a key, row by row
 COIN, COIN_ROW, COIN_RIM = 0.1, 0.85, 0.014  # radius; of it between rows; of the dark rim
-FAINT = 0.15  # of sRGB, between two colours of which one is hardly seen on the other
-FEW = 3  # stripes, of which a part that is flatter lies: they follow one another along it
-LONG = 1.5  # times its height, what lies is at least
+FAINT = 0.15  # of sRGB: largest difference of two colours that are hardly distinct
+FEW = 3  # stripes: a lower part is flat, and they follow one another along it
+LONG = 1.5  # times its height: least length of a flat part
 ALONG = frozenset(("striped", RAINBOW))  # patterns whose colours follow one another
 BAND = 0.15  # of a rainbow
 RAINBOW_COLORS = (
@@ -50,7 +49,7 @@ def where(mask: Tensor, color: Tensor, other: "Tensor | tuple[float, float, floa
 
 
 def striped(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, " p"]:
-    """Stripes of six pixels, which follow one another along the axis: level ones of z."""
+    """Stripes of six pixels that follow one another along the axis: level ones along z."""
     return (points[:, axis] * (math.pi / STRIPE)).sin() * (-STRIPE / math.pi)
 
 
@@ -63,8 +62,8 @@ def spotted(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
 
 
 def checkered(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """Cubes of six pixels in turn."""
-    # About half a cell off, so that no border lies in a plane of symmetry.
+    """Alternating cubes of six pixels."""
+    # About half a cell off, so that no border is in a plane of symmetry.
     place = (points + 0.1) / CHECK
     side = (place - place.round()).abs().amin(1) * CHECK  # to the nearest border
     second = place.floor().sum(1).remainder(2) == 1
@@ -77,8 +76,8 @@ def two_tone(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
 
 
 def rainbow(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, "p 6"]:
-    """How far inside each band of a rainbow: they follow one another along the axis, over and over,
-    from the top down."""
+    """How far inside each band of a rainbow a place is; the bands repeat along the axis from the
+    top down."""
     count = len(RAINBOW_COLORS)
     middles = torch.arange(count).to(points) + 0.5
     away = (-points[:, axis, None] / BAND - middles + count / 2).remainder(count) - count / 2
@@ -86,12 +85,12 @@ def rainbow(points: Float[Tensor, "p 3"], axis: int = 2) -> Float[Tensor, "p 6"]
 
 
 def hoops(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """A lighthouse's rings."""
+    """The rings of a lighthouse."""
     return (points[:, 2] * (math.tau / HOOP) + 0.6).sin() * (HOOP / math.tau)
 
 
 def band(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """A band about the middle of a vase."""
+    """A band around the middle of a vase."""
     return 0.13 - (points[:, 2] + 0.08).abs()
 
 
@@ -107,9 +106,9 @@ def crossing(
     """Two sets of lines that cross on a turned solid, such as a wafer's.
 
     Args:
-        rise: radians of them in a unit of height.
-        lines: cosine from which a place is on one.
-        around: how many of each there are.
+        rise: their angle in radians per unit of height.
+        lines: the cosine from which a place is on one.
+        around: the number of lines in each set.
     """
     angle = torch.atan2(points[:, 1], points[:, 0]) * around
     height = points[:, 2] * rise
@@ -129,8 +128,8 @@ def seams(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
 
 
 def plates(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """The lines between the plates of a turtle's shell: hexagons, seen from above, a row of them
-    along its back."""
+    """The lines between the plates of a turtle's shell: hexagons, seen from above, with a row along
+    its back."""
     flat, pitch = points[:, :2], points.new_tensor([math.sqrt(3) * PLATE, PLATE])
     at = torch.stack([flat, flat + pitch / 2]) / pitch
     away = ((at - at.round()) * pitch).abs()  # of the two lattices that make the hexagons' middles
@@ -140,7 +139,7 @@ def plates(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
 
 
 def keys(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """The gaps between the keys of a keyboard that lies: rows along x, each shifted a little."""
+    """The gaps between the keys of a level keyboard: rows along x, each shifted a little."""
     across, row = points[:, 0] / KEY, points[:, 1] / KEY
     across = across + KEY_SHIFT * row.floor()
     side = torch.stack([across - across.round(), row - row.round()]).abs().amin(0) * KEY
@@ -148,11 +147,11 @@ def keys(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
 
 
 def coins(points: Float[Tensor, "p 3"]) -> Float[Tensor, " p"]:
-    """The rims of coins in a heap: in rows across it, from the front over its top to the back, each
+    """The rims of coins in a heap, in rows across it from the front over its top to the back, each
     row on the one behind."""
     across, along = points[:, 0] / COIN, (points[:, 1] + points[:, 2]) / COIN
     within = torch.full_like(across, -1.0)  # how far inside the coin on top
-    outside = torch.full_like(across, 1.0)  # and from the nearest of those that lie on it
+    outside = torch.full_like(across, 1.0)  # and from the nearest coin on it
     front = ((along - 1) / COIN_ROW).ceil() - 1
     for row in (front, front + 1, front + 2, front + 3):
         aside = (across - COIN_ROW * row.remainder(2)) / (2 * COIN_ROW)
@@ -173,7 +172,7 @@ MARGINS: dict[str, Margin] = {
 
 
 class Natural(NamedTuple):
-    """A pattern of two colours that parts have by nature, where no words say otherwise."""
+    """A pattern of two colours that parts have by nature, unless words state another."""
 
     margin: Margin
     second: Color | float  # or what the part's own colour is multiplied by
@@ -191,15 +190,15 @@ NATURAL: dict[str, Natural] = {
     "keys": Natural(keys, (0.52, 0.54, 0.57)),  # the gaps between a keyboard's
     "coins": Natural(coins, 0.4),
 }
-# Of these what is of the thing's form, and stays whatever its colour and material are, where no
-# other pattern is stated.
+# Natural patterns that belong to the thing's form and stay with any colour and material, unless
+# another pattern is stated.
 LINES = ("scales", "waffle", "plates", "seams", "keys", "coins")
 MARGINS |= {name: natural.margin for name, natural in NATURAL.items()}
 
 
 def natural_second(pattern: str, color: Color) -> Color | None:
-    """The second colour of a pattern that a part has by nature; None of any other pattern, and
-    where it is hardly another than the part's own."""
+    """The second colour of a natural pattern; None for any other pattern, and where it hardly
+    differs from the part's own."""
     if pattern not in NATURAL:
         return None
     second = NATURAL[pattern].second
@@ -211,18 +210,18 @@ def natural_second(pattern: str, color: Color) -> Color | None:
 
 
 class Laid(NamedTuple):
-    """A pattern as it is laid on one part; without a name none."""
+    """A pattern on one part; none without a name."""
 
     name: str = ""
-    axis: int = 2  # that stripes follow one another along
+    axis: int = 2  # along which stripes follow one another
 
     @property
     def colors(self) -> int:
-        """How many; one of what is learnt."""
+        """The number of colours; 1 for a learnt pattern."""
         return len(RAINBOW_COLORS) if self.name == RAINBOW else 1 + (self.name in MARGINS)
 
     def margins(self) -> Margins | None:
-        """How far inside each colour a place is; None of one colour."""
+        """How far inside each colour a place is; None with one colour."""
         if self.name == RAINBOW:
             return partial(rainbow, axis=self.axis)
         margin = MARGINS.get(self.name)
@@ -237,8 +236,8 @@ def _of_two(margin: Margin, points: Float[Tensor, "p 3"]) -> Float[Tensor, "p 2"
 
 
 def axis_of(extent: "Sequence[float] | np.ndarray") -> int:
-    """The axis that stripes follow one another along on a part of this extent: upwards, or where it
-    lies, as an awning, a rug or a seat, along the longer of its sides."""
+    """The axis along which stripes follow one another on a part of this extent: upwards, or on a
+    flat part, such as an awning, a rug or a seat, along its longer side."""
     x, y, z = extent
     if z < FEW * STRIPE and max(x, y) > LONG * z:
         return 0 if x >= y else 1
@@ -246,7 +245,7 @@ def axis_of(extent: "Sequence[float] | np.ndarray") -> int:
 
 
 def painter(margin: Margin) -> Pattern:
-    """The pattern that a margin stands for."""
+    """The pattern of a margin."""
     return lambda color, second, place: where(margin(place.point) > 0, color, second)
 
 

@@ -1,4 +1,4 @@
-"""How large and how heavy the thing of a prompt is. Standard library only."""
+"""The size and the mass of a prompt's thing. Standard library only."""
 
 from collections.abc import Iterable
 
@@ -9,7 +9,7 @@ from core.guidance.builtin.words.vocabulary import parse
 
 
 def usual_of(prompt: str) -> tuple[float, float]:
-    """The usual size in metres and density in kg/m³ of what ``prompt`` names; of an unknown thing
+    """The usual size in metres and density in kg/m³ of the thing of ``prompt``; of an unknown thing
     1 m and that of light wood. For any guidance: its prompt may be beyond the built-in words."""
     # With a noun first: "a grey rock" is a boulder only where it has to be a thing.
     for noun_needed in (True, False):
@@ -21,7 +21,7 @@ def usual_of(prompt: str) -> tuple[float, float]:
 
 
 def longest_side(prompt: str, extents: Iterable[float]) -> float:
-    """The longest side, in metres, of the thing of ``prompt``, whose box is to the ``extents`` x, y
-    and z: as the prompt states its size, else the usual one."""
+    """The longest side, in metres, of the thing of ``prompt`` with a box of the ``extents`` x, y
+    and z: by the stated size, else the usual one."""
     _, sizes, _ = set_apart(prompt)
     return sizes[0].longest(extents) if sizes else usual_of(prompt)[0]

@@ -23,9 +23,9 @@ def restored(
     words: Int[Tensor, "b n"],
     camera: Float[Tensor, "b 6 m m"],
 ) -> Float[Tensor, "b 4 s s"]:
-    """Crisp pictures [n * o, 2o - 1] of soft ones; ``camera`` is ``camera_map`` at half the
+    """Crisp pictures [n * o, 2o - 1] from soft ones; ``camera`` is ``camera_map`` at half the
     size."""
-    # One fixed step: how soft a render is, is not known.
+    # One fixed step, as the softness of a render is not known.
     t = torch.full((len(pictures),), TIME, device=pictures.device)
     a = alpha_bar_schedule()[TIME].to(pictures)
     return a.sqrt() * pictures - (1 - a).sqrt() * net(pictures, t, words, camera).float()

@@ -1,4 +1,4 @@
-"""A solid drawn for words: what the geometry starts from, known everywhere at once."""
+"""A solid drawn for words: the start of the geometry, known everywhere."""
 
 import json
 from collections.abc import Collection
@@ -28,29 +28,29 @@ from core.guidance.builtin.stretch import (
 from core.guidance.builtin.weights import filled, in_bytes, load_tensors, write_tensors
 
 CHUNK = 1 << 16  # points at a time
-PER_THREAD = 1 << 14  # of them on a CPU: what the layers make of more leaves its cache
+PER_THREAD = 1 << 14  # on a CPU: the features of more points leave its cache
 LATTICE = 64  # cubes along an edge, of the mesh that surface points are drawn from
 # Tables of features, in six bits a number, which move a surface by 2e-4 of the object's radius.
 TABLES = ("own.weight", "kind.weight")
 ROWS = ("base.weight", "words.3.weight")
 DRAWINGS = 3  # at most, of one object
-SIMPLE = 3  # pieces and handles of what is surely whole
-FAR = 2 * EXTENT  # from every point of the cube: where what is not there lies
+SIMPLE = 3  # components and handles of a surely intact shape
+FAR = 2 * EXTENT  # beyond every point of the cube: the distance of absent parts
 LEAST_SWELL = 0.01  # training units
 RARE = 0.05  # fraction of a noun's objects below which a kind is too little known
-# Adjectives that make another thing of a noun than a stretched one. The network knows these.
+# Adjectives with a form of their own that the network knows, not a stretched one.
 FORMS = {("table", "round")}
 
 
 @dataclass(frozen=True)
 class Solid:
-    """One object: what a network knows of it, and where it lies."""
+    """One object: its features in a network, and its frame."""
 
     net: SolidNet
     triplane: Triplane
     frame: Frame = IN_PLACE
     swell: float = 0.0  # how far the surface is moved outwards, training units
-    absent: tuple[int, ...] = ()  # parts, by their place among the noun's, that it is without
+    absent: tuple[int, ...] = ()  # indices of missing parts among the noun's
 
     @classmethod
     def drawn(
@@ -61,11 +61,11 @@ class Solid:
         absent: tuple[int, ...] = (),
         kinds: Collection[int] = (),
     ) -> "Solid":
-        """A random one: of one of the noun's kinds, and of a code, which are normal.
+        """A random object: of one of the noun's kinds, and of a code, which are normal.
 
-        A thin wall may come out torn, which shows as handles and pieces; of a shape with many of
-        them others of its kind are drawn, and the simplest is taken. ``kinds``: of the noun's,
-        if not any.
+        A thin wall may come out torn, which shows as handles and components; a shape with many of
+        them is drawn again, and the simplest is taken. ``kinds``: allowed kinds of the noun; ():
+        all.
         """
         kind = torch.tensor([[drawn_kind(net, words, generator, kinds)]], device=words.device)
         row, found = torch.cat([words, kind], 1), []
@@ -78,11 +78,11 @@ class Solid:
         return min(found, key=lambda solid: solid.complexity)
 
     def placed(self, adjective: str = "", wider: Vector = AS_IT_IS) -> "Solid":
-        """The solid as the adjective has it, about the origin and of the training's size.
+        """The solid stretched for the adjective, at the origin and of the training's size.
 
-        ``wider``: by how much it is drawn wider than it is to be.
+        ``wider``: how much wider than the real thing it is drawn.
 
-        It is moved outwards by less where that would bring up pieces: far from the surface the
+        It is moved outwards by less where that would create components: far from the surface the
         network's distance may dip.
         """
         stretch, swell = STRETCH.get(adjective, NOT_STRETCHED)
@@ -90,45 +90,46 @@ class Solid:
         while True:
             frame = frame_of(self.mesh[0], (x, y, z), swell, adjective == "round")
             solid = replace(self, frame=frame, swell=swell)
-            if not swell or solid.pieces <= self.pieces:
+            if not swell or solid.components <= self.components:
                 return solid
             swell = swell / 2 if swell > LEAST_SWELL else 0.0
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """Signed distance, negative inside, training units; farther off than a tenth, and where
-        the frame's scale is uneven, it is less than true."""
+        """Signed distance, negative inside, training units; less than the true one farther off than
+        a tenth, and where the frame's scale is uneven."""
         return self.distances(points).amin(1)
 
     def part(self, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
-        """The part that each point belongs to: its place among the noun's."""
+        """The index of the part of each point among the noun's."""
         return self.distances(points).argmin(1)
 
     @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
-        """The solid's surface on a lattice, which is the network's: it may be slender."""
+        """The solid's surface on the network's lattice, as it may be slender."""
         grid, nodes = _grid(), self._placed(_grid().tet_verts)
         verts, faces, *_ = surface(self.sdf(nodes), grid.tet_verts, grid)
         return self._placed(verts), faces
 
     def _placed(self, local: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
-        """Where the network's own points come to lie."""
+        """The network's own points in the frame."""
         scale, center = (local.new_tensor(of) for of in (self.frame.scale, self.frame.center))
         return (local - center) * scale
 
     @cached_property
-    def pieces(self) -> int:
-        """How many components the surface has."""
+    def components(self) -> int:
+        """The number of connected components of the surface."""
         verts, faces = self.mesh
         return component_labels(faces, len(verts))[0]
 
     @property
     def complexity(self) -> int:
-        """Pieces and handles, by the surface's Euler characteristic: V - E + F, with 2 E = 3 F."""
+        """Components and handles, by the surface's Euler characteristic: V - E + F, with 2 E = 3
+        F."""
         verts, faces = self.mesh
-        return 2 * self.pieces - (len(verts) - len(faces) // 2) // 2
+        return 2 * self.components - (len(verts) - len(faces) // 2) // 2
 
     def shape(self) -> Shape:
-        """What Ψ can be fitted to."""
+        """The shape that Ψ is fitted to."""
         verts, faces = self.mesh
         return Shape(
             self.sdf, lambda count, generator: sample_surface(verts, faces, count, generator)
@@ -153,7 +154,7 @@ def drawn_kind(
     generator: torch.Generator,
     kinds: Collection[int] = (),
 ) -> int:
-    """One of the noun's kinds, or of these of them, as often as the training had it with the
+    """One of the noun's kinds, or of the given ones, as often as the training had it with the
     words."""
     noun, shape, part = words[0].tolist()
     rows = slice(KINDS * (noun - 1) + 1, KINDS * noun + 1)

@@ -1,6 +1,6 @@
 """The solid that words mean, from a short code: each part's signed distance, of any point.
 
-A latent vector, the code, says which of all objects of the words it is. A decoder turns both into
+A latent vector, the code, selects one of all objects of the words. A decoder turns both into
 features on the three coordinate planes (triplanes: Chan et al. 2022, "EG3D", §4), and a small MLP
 reads a point's distances from its three projections. It is the decoder of a conditional
 variational autoencoder (``core.prior.solid_training``), whose codes are normal. Unlike the
@@ -35,7 +35,7 @@ class SolidNetConfig:
     latent: int = 32  # numbers of a code
     embedding: int = 256  # channels of words and code together
     # Channels of the planes: of the base at 8², after the first block at 16², the second and the
-    # last at 32². A finer plane is dear, and the MLP reads what lies between its features.
+    # last at 32². A finer plane is dear, and the MLP reads the values between its features.
     widths: tuple[int, int, int, int] = (64, 48, 32, 24)
     # Channels of the planes of 64², a sub-pixel convolution (Shi et al. 2016) of the last: a
     # robot's eye is one and a half cells of 32² wide.
@@ -125,12 +125,12 @@ class SolidNet(nn.Module):
         self.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
 
     def embedding(self, words: Int[Tensor, "b n"]) -> Float[Tensor, "b e"]:
-        """The words', added up; word 0 of a slot is "not stated"."""
+        """The sum of the words' embeddings; word 0 of a slot is "not stated"."""
         rows = [table(words[:, slot]) for slot, table in enumerate(self.words)]
         return torch.stack(rows).sum(0)
 
     def triplane(self, words: Int[Tensor, "b n"], code: Float[Tensor, "b l"]) -> Triplane:
-        """The features of the objects, to be asked at any number of points."""
+        """The features of the objects, to be read at any number of points."""
         embedding = self.mix(self.embedding(words) + self.entry(code))
         base = self.base(embedding).view(len(words), len(PLANES), -1, BASE, BASE)
         planes = list(base.unbind(1))
@@ -160,7 +160,7 @@ class SolidNet(nn.Module):
     def at(self, triplane: Triplane, points: Float[Tensor, "b n 3"]) -> Float[Tensor, "b n 8"]:
         """The parts' signed distances (times SCALE) at points in [-1, 1]³; the whole has the least.
 
-        One side of what is mirrored is asked for both.
+        One side of a mirrored object is used for both.
         """
         points = folded(points, triplane.mirrored)
         features = [_read(triplane.planes, points), points, _read(triplane.fine, points)]
@@ -173,7 +173,7 @@ class SolidNet(nn.Module):
 
 def folded(points: Float[Tensor, "b n 3"], mirrored: Bool[Tensor, "b 2"]) -> Float[Tensor, "b n 3"]:
     """The points on the positive side of the planes that mirror their object, x = 0 and y = 0;
-    smoothly, so that no crease is left where the sides meet."""
+    smoothly, so that there is no crease where the sides meet."""
     side = (points[..., :2].square() + FOLD**2).sqrt() - FOLD
     across = torch.where(mirrored[:, None], side, points[..., :2])
     return torch.cat([across, points[..., 2:]], -1)
@@ -194,7 +194,7 @@ def _read(
 
 def with_others(planes: list[Float[Tensor, "b c s s"]]) -> list[Float[Tensor, "b _ s s"]]:
     """Each plane next to the others' means along the axis that it lacks (rolled out: Wang et al.
-    2023, "Rodin", §3.2): what stands at a row of one is at the same row of another."""
+    2023, "Rodin", §3.2): a row of one is the same row of another."""
     xy, xz, yz = planes
     rows, columns = (lambda m: m[..., None].expand_as(xy)), (lambda m: m[:, :, None].expand_as(xy))
     return [

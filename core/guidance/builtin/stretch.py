@@ -1,4 +1,4 @@
-"""What an adjective such as "tall" does to an object: in the training, and to a drawn solid."""
+"""The effect of an adjective such as "tall" on an object: in the training, and on a drawn solid."""
 
 from typing import NamedTuple
 
@@ -22,8 +22,8 @@ NOT_STRETCHED = ((1.0, 1.0, 1.0), 0.0)
 Vector = tuple[float, float, float]
 
 AS_IT_IS = (1.0, 1.0, 1.0)
-# Of slender things: a blade in its own proportions is thinner than what a cell of the network's
-# planes tells apart.
+# Slender things: a blade in its own proportions is thinner than the resolution of the network's
+# planes.
 DRAWN_WIDER: dict[str, Vector] = {
     "sword": (2.4, 2.4, 1.0),
     "katana": (1.7, 1.7, 1.0),
@@ -56,12 +56,12 @@ DRAWN_WIDER: dict[str, Vector] = {
 
 
 def known_wider(noun: str) -> Vector:
-    """By how much the solids' network knows a thing wider than it is, along x, y and z."""
+    """How much wider than the real thing the solids' network knows it, along x, y and z."""
     return DRAWN_WIDER.get(noun, AS_IT_IS)
 
 
 class Frame(NamedTuple):
-    """Where an object's own points come to lie: (point - center) * scale, training units."""
+    """The frame of an object's own points: (point - center) * scale, training units."""
 
     center: Vector
     scale: Vector

@@ -1,6 +1,6 @@
-"""What a thing's parts are of by nature where its row states no finish.
+"""The natural substances of a thing's parts where its row states no finish.
 
-Looked for in this order: the part of the thing, the part of any thing, the thing, its group. Each
+Searched in this order: the part of the thing, the part of any thing, the thing, its group. Each
 is a kind of detail (``core.texture.detail.kinds``). Standard library only.
 """
 
@@ -8,7 +8,7 @@ from functools import cache
 
 from core.guidance.builtin.nouns import GROUPS, NOUNS, solid_of
 
-# How rough each kind is that is no material word.
+# Roughness of the kinds that are not material words.
 ROUGHNESS = {
     "eye": 0.06,
     "wet skin": 0.25,
@@ -191,7 +191,7 @@ OF_A_THING = {
         "ship masts, pawn base, pawn collar"
     ),
 }
-# A part, whatever it is of.
+# A part of any thing.
 OF_A_PART = {
     "bark": "trunk, branches",
     "bone": "horns, horn, antlers, tusks, teeth, fangs, bone, hooves",
@@ -238,7 +238,7 @@ OF_A_PART = {
         "handle, handles, mallet, box, feet, foot, door, mast, neck, bridge"
     ),
 }
-# What is left of a thing.
+# The other parts of a thing.
 OF_THE_REST = {
     "bark": "log, stump, pinecone, treehouse",
     "bone": "skeleton, seashell, bone",
@@ -289,7 +289,7 @@ OF_THE_REST = {
     "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",
 }
-# What is left of the things of a group.
+# The other parts of the things of a group.
 OF_A_GROUP = {
     "Animals": "fur",
     "Wild Animals": "fur",
@@ -308,9 +308,9 @@ OF_A_GROUP = {
     "Plants": "leaf",
 }
 
-# How much of the light goes through a part that is of glass by nature: what one looks through. All
-# other glass (a car's windows, a screen, a camera's lens) has nothing behind it to be seen, since a
-# mesh is a closed hull; it mirrors and stays opaque.
+# Transmitted fraction of the light for parts of glass by nature that one looks through. All other
+# glass (a car's windows, a screen, a camera's lens) has nothing visible behind it, as a mesh is a
+# closed hull; it mirrors and stays opaque.
 CLEAR = {
     0.95: (
         "flask glass, flask rim, magnifying glass glass, salt shaker body, salt shaker base, "
@@ -329,8 +329,8 @@ CLEAR = {
     0.4: "fountain water, bathtub water, well water, sunglasses glasses",
     0.2: "light bulb bulb, lantern glass, street lamp lamp",
 }
-# How much of its colour a part emits; of any thing's flames all of it. A lamp's colour is light
-# already, and is burnt out to white where it is more.
+# Emitted fraction of a part's colour; all of it for flames. A lamp's colour is light already, and
+# more of it would burn out to white.
 GLOW = {
     1.0: "lightsaber blade, sun disc, sun glints",
     0.6: (
@@ -348,7 +348,7 @@ GLOW = {
     ),
 }
 
-# What is not worn as things are: what lives, grows, or is eaten, and what has no shape of its own.
+# Kinds that do not wear as things do: living, growing, edible, or without a shape of their own.
 UNWORN = frozenset(
     """eye hair fur feathers scales hide skin chitin leaf foliage petal peel flesh crust crumb cream
     soil flame embers liquid bark""".split()
@@ -357,13 +357,13 @@ BURNING = ("flame", "embers")
 
 
 def natural_kind(noun: str, part: str) -> str:
-    """What the noun's ``part`` is of by its look, which may state it, or else by its name."""
+    """The kind of the noun's ``part`` by its look, which may state it, or else by its name."""
     _, pattern, stated = (*NOUNS[noun].looks[part].split(), ".", ".")[:3]
     return BY_PATTERN.get(pattern) or stated.strip(".") or substance(noun, part)
 
 
 def substance(noun: str, part: str) -> str:
-    """The kind of the noun's ``part``; "" where nothing is known of it."""
+    """The kind of the noun's ``part``; "" if unknown."""
     of_things, of_parts, of_rest, of_groups = _by_name()
     rest = of_rest.get(noun, of_rest.get(solid_of(noun)))
     found = (of_things.get(f"{noun} {part}"), of_parts.get(part), rest)

@@ -1,4 +1,4 @@
-"""What a prompt's words and the thing's nature say of the substance of each part."""
+"""The substance of each part, by a prompt's words and by nature."""
 
 from functools import cache
 
@@ -13,29 +13,29 @@ from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Surface
 from core.ops import srgb_to_linear
 
-# Roughness by the word; of a metal no less than what is polished has.
+# Roughness by the word; for a metal at least that of a polished one.
 SHINES = {"matte": 0.8, "satin": 0.4, "glossy": 0.1}
 METAL_SHINE = 0.12
 CARVED_STONE = "concrete"  # of even grain: a boulder's speckles hide a face
 GLOWING = "glowing"
-# How much of its colour it emits that is said to glow: a part, or all of a thing.
+# Emitted fraction of the colour where a glow is stated: for a part, or for all of a thing.
 PART_GLOWS, ALL_GLOWS = 0.8, 0.25
-# Between these lumas a colour of wood becomes paint, through which so much of the grain shows.
+# Between these lumas a colour on wood becomes paint; the last is how much of the grain shows.
 PALE, PALE_DEPTH = (0.6, 0.9), 0.35
-WHITE = 0.8  # luma of what is painted by nature, such as a window's frame
-GLOSS = 0.03  # of a part's roughness, around what its finish has
-SHADE = 0.06  # of each channel of a part's colour, sRGB, around what the words make it
-SMOOTH = 0.05  # what a wall of clear glass is smoother than the finish
+WHITE = 0.8  # luma of a part painted by nature, such as a window's frame
+GLOSS = 0.03  # range of a part's roughness around its finish's
+SHADE = 0.06  # range of each channel of a part's colour, sRGB
+SMOOTH = 0.05  # how much smoother clear glass is than the finish
 
 
 def surfaces_of(words: Words) -> tuple[Surface, ...]:
-    """Each of the thing's parts, without repeats."""
+    """The surfaces of the thing's parts, without repeats."""
     found = [surface_of(words, part) for part in painted(words.noun, words)]
     return tuple(dict.fromkeys(found))
 
 
 def surface_of(words: Words, part: Painted) -> Surface:
-    """What one part is made of, and what time has done to it."""
+    """The substance of one part, and its weathering."""
     new = _shining(part, _lit(words.noun, part, _as_new(words, part)))
     lasting = (name for name in words.weather if name != "worn" or new.kind not in UNWORN)
     spared = new.kind in ("eye", "liquid", *BURNING)
@@ -65,23 +65,24 @@ def _as_new(words: Words, part: Painted) -> Surface:
 
 
 def _depth(color: Color) -> float:
-    """Of the grain under a stated colour: what is white is painted, and shows little of it."""
+    """The depth of the grain under a stated colour: a white part is painted, and shows little of
+    it."""
     low, high = PALE
     return 1 - (1 - PALE_DEPTH) * min(max((luma(color) - low) / (high - low), 0), 1)
 
 
 def _lit(noun: str, part: Painted, new: Surface) -> Surface:
-    """``new`` with what glows or is clear by nature; of glass, also where that is stated."""
+    """``new`` with its glow and transmission by nature; for glass, also where that is stated."""
     if part.material and not new.clear:
         return new
     glow, clear = lights(noun, part.name, new.kind)
-    # Clear glass is smooth, or what is behind it is blurred.
+    # Clear glass is smooth, so that it does not blur.
     smooth = new.roughness - (SMOOTH if clear and not new.clear else 0.0)
     return new._replace(glow=glow, clear=clear or new.clear, roughness=smooth)
 
 
 def _shining(part: Painted, new: Surface) -> Surface:
-    """``new`` as the words say that it shines."""
+    """``new`` with the gloss of the words."""
     if GLOWING in part.sheen:
         new = new._replace(glow=max(new.glow, PART_GLOWS if part.apart else ALL_GLOWS))
     shine = next((SHINES[word] for word in part.sheen if word in SHINES), None)
@@ -110,15 +111,15 @@ def _by_nature(noun: str, part: Painted) -> str:
 
 @cache
 def _factor(known: Color, wanted: Color) -> Color:
-    """Of ``known`` (sRGB) to become ``wanted``, linear."""
+    """The linear factor from ``known`` to ``wanted`` (sRGB)."""
     before, after = srgb_to_linear(torch.tensor([known, wanted]))
     red, green, blue = (after / before).tolist()
     return red, green, blue
 
 
 def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
-    """The finish itself: from pictures of 64² no more is learnt than how the ends are reached. Of
-    what is of one ``color`` (sRGB) a range around that: the pictures made black things green."""
+    """The finish itself: pictures of 64² teach no more than how to reach the ends. For a part of
+    one ``color`` (sRGB) a range around it: the pictures made black things green."""
     rough = finish.roughness
     low, high = max(rough - GLOSS, 0.05), min(rough + GLOSS, 0.95)
     metallic = (finish.metallic, finish.metallic)

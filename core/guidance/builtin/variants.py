@@ -1,7 +1,7 @@
 """Materials that the networks know by a wider word, as data.
 
-The network is asked for the wider word (``words.MATERIALS``). The texture then gets the kind's own
-detail, and, where no colour is stated, its own colour; roughness too.
+The network gets the wider word (``words.MATERIALS``). The texture then gets the kind's own detail,
+and without a stated colour its own colour; roughness too.
 """
 
 from typing import NamedTuple
@@ -15,10 +15,10 @@ class Variant(NamedTuple):
     kind: str
     color: Color | None = None  # sRGB
     roughness: float | None = None
-    clear: float = 0.0  # how much of the light goes through it
+    clear: float = 0.0  # transmitted fraction of the light
 
 
-_ROWS: dict[str, Variant] = {  # the forms of a material, and what is made of them
+_ROWS: dict[str, Variant] = {  # forms of a material: their variant
     # of wooden
     "oak, oak wood": Variant("wooden", (0.66, 0.48, 0.29)),
     "walnut, walnut wood": Variant("wooden", (0.36, 0.22, 0.13)),
@@ -168,18 +168,18 @@ VARIANTS = {form: row for forms, row in _ROWS.items() for form in forms.split(",
 
 
 def split_tone(form: str) -> tuple[str, str]:
-    """The tone before a material and the rest: of light oak; "" where the form has none."""
+    """The tone before a material and the rest, such as of light oak; "" without a tone."""
     tone, _, rest = form.partition(" ")
     return (tone, rest) if tone in OF_MATERIALS and form not in VARIANTS else ("", form)
 
 
 def has_own_look(form: str) -> bool:
-    """Whether a material as it was written looks otherwise than its wider word."""
+    """Whether a material as written looks different from its wider word."""
     tone, rest = split_tone(form)
     return bool(tone) or rest in VARIANTS
 
 
-# Things that are built of stones, not carved from one.
+# Things built of stones, not carved from one.
 BUILDINGS = (
     *("house", "cottage", "tower", "lighthouse", "church", "arch"),
     *("bridge", "windmill", "castle", "pyramid", "pagoda", "temple", "wall"),

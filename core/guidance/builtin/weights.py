@@ -41,16 +41,16 @@ def write_tensors(path: Path, tensors: dict[str, Tensor], metadata: dict[str, st
 def save_weights(
     path: Path, config: UNetConfig | SolidNetConfig, tensors: dict[str, Tensor]
 ) -> None:
-    """In half precision, as a training's averaged weights are kept."""
+    """Write weights in half precision, as a training's averaged weights are kept."""
     half = {name: tensor.half() for name, tensor in tensors.items()}
     write_tensors(path, half, {"config": json.dumps(asdict(config))})
 
 
 def ship_weights(path: Path, net: UNet, words: Vocabulary) -> None:
-    """The shipped form of a U-Net: a layer's rows in bytes; ``words`` by slot may be asked for.
+    """The shipped form of a U-Net: a layer's rows in bytes; ``words`` by slot are offered.
 
-    What is as in the file that this replaces, up to the rounding of a checkpoint, keeps its bytes:
-    what a held training left alone stays to the bit.
+    Tensors as in the replaced file, up to the rounding of a checkpoint, keep its bytes: the weights
+    that a held training did not change stay the same to the bit.
     """
     old = load_file(path) if path.exists() else {}
     tensors = {}
@@ -70,8 +70,8 @@ def _same(name: str, old: dict[str, Tensor], new: Tensor) -> bool:
 
 
 def in_bytes(name: str, tensor: Tensor, groups: int, bits: int = 8) -> dict[str, Tensor]:
-    """A tensor as whole numbers of 8 or 6 bits, and the step of each of its ``groups`` of numbers
-    that lie together."""
+    """A tensor as whole numbers of 8 or 6 bits, and the step of each of its ``groups`` of
+    consecutive numbers."""
     rows = tensor.detach().reshape(groups, -1)
     step = (rows.abs().amax(1, keepdim=True) / (2 ** (bits - 1) - 1)).clamp_min(1e-6)
     steps = (rows / step).round().to(torch.int8).view(tensor.shape)
@@ -85,14 +85,14 @@ def packed(numbers: Int8[Tensor, "n a"]) -> UInt8[Tensor, "n b"]:
 
 
 def unpacked(data: UInt8[Tensor, "n b"]) -> Int8[Tensor, "n a"]:
-    """What :func:`packed` has packed."""
+    """The inverse of :func:`packed`."""
     a, b, c = data.view(len(data), -1, 3).unbind(-1)
     numbers = torch.stack([a & 63, a >> 6 | b << 2 & 63, b >> 4 | c << 4 & 63, c >> 2], -1)
     return numbers.to(torch.int8).view(len(data), -1) - 32
 
 
 def whole(tensors: dict[str, Tensor]) -> dict[str, Float[Tensor, "..."]]:
-    """The tensors of a file in single precision; what is yes or no stays so.
+    """The tensors of a file in single precision; booleans stay so.
 
     They are copies: a file that is mapped into memory could not be replaced on Windows.
     """
@@ -135,7 +135,8 @@ def filled(make: Callable[[], Net], tensors: dict[str, Tensor]) -> Net:
 
 
 class _Undrawn(TorchFunctionMode):
-    """Within, a new network's weights stay unset; without memory, drawing them loads a compiler."""
+    """A context in which a new network's weights stay unset; without memory, drawing them loads a
+    compiler."""
 
     def __torch_function__(
         self, func: Callable, types: Any, args: tuple = (), kwargs: dict[str, Any] | None = None
@@ -145,5 +146,5 @@ class _Undrawn(TorchFunctionMode):
 
 
 def load_words(path: Path) -> dict[str, list[str]]:
-    """The words by slot that the file's network may be asked for."""
+    """The words by slot that the file's network offers."""
     return read_metadata(path)["words"]

@@ -231,7 +231,7 @@ def _read(
             found = found.flatten(1)
         if found.shape != expected.shape:
             raise UserError(
-                f'"{path}" is another model than its parts say: {place.key} is '
+                f'"{path}" is a different model than its parts state: {place.key} is '
                 f"{tuple(found.shape)}, expected {tuple(expected.shape)}.",
                 "Give a checkpoint of Stable Diffusion 1.x, 2.x or XL.",
             )

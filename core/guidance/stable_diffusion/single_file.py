@@ -41,7 +41,7 @@ def find_single_file(path: Path) -> Checkpoint:
     turbo = re.search(r"turbo|lightning|lcm|hyper[-_]?sd", path.stem, re.IGNORECASE)
     if turbo or header.any("time_embed.cond_proj", "time_embedding.cond_proj"):
         raise UserError(
-            f'"{path}" is distilled to a few steps (its name says '
+            f'"{path}" is distilled to a few steps (its name contains '
             f'"{turbo[0] if turbo else "LCM"}"): it predicts no score to follow, at any guidance '
             "scale.",
             f"Give {_EXPECTED} that is not distilled; rename the file if it is not.",

@@ -1,4 +1,4 @@
-"""Where the things of a composition lie."""
+"""Placements of the things of a composition."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -22,14 +22,14 @@ from core.guidance.builtin.composition.wearing import worn
 from core.guidance.builtin.words.companion_words import CONTAINERS, EDIBLE
 from core.guidance.builtin.words.companions import Relation
 
-EACH = ("wears", "holds")  # which of several each does by itself
+EACH = ("wears", "holds")  # relations of each copy by itself
 
 
 def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[Placement]]:
-    """The placements of each copy of the first thing, and of each of the others, which are all of
-    the training's size."""
+    """The placements of each copy of the first thing, and of each copy of the others, all at the
+    training's size."""
     count = first.words.count
-    if count > 1 and any(how == "in" for how, _ in others):  # eggs in a basket lie as they come
+    if count > 1 and any(how == "in" for how, _ in others):  # eggs in a basket are a heap
         first = replace(first, words=replace(first.words, order="heap"))
     things = [first, *(other for _, other in others)]
     each = all(how in EACH or other.words.count == count for how, other in others)
@@ -59,7 +59,7 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
 
 
 def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
-    """Which of the things fill the first one together."""
+    """Indices of the things that fill the first one together."""
     return [
         k
         for k, (how, other) in enumerate(others, 1)
@@ -70,13 +70,13 @@ def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
 
 
 def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
-    """Where each is, the first one where it is by itself."""
+    """The placement of each thing; the first one's is its own."""
     stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
     found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
     there = first.placed(found[0])
-    row = [there]  # what stands side by side
+    row = [there]  # things next to each other
     held_already = False
-    # What fills it together is one; the tallest first, which are at the back.
+    # Things that fill it together count as one; the tallest first, which are at the back.
     borne = list({id(other): other for how, other in others if how == "bears"}.values())
     borne.sort(key=lambda other: -other.metres * float(other.sides[2]))
     for how, other in others:
@@ -87,7 +87,7 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
             found.append(first.rests)
         elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
             place = next(k for k, one in enumerate(borne) if one is other)
-            found.append(upon(other, there.share(place, len(borne)), len(borne)))
+            found.append(upon(other, there.cell(place, len(borne)), len(borne)))
         elif how == "beside":  # on the right, on the left, and so on
             found.append(beside(other, there, joined(row), on_left=len(row) % 2 == 0))
             row.append(other.placed(found[-1]))

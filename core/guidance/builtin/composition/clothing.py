@@ -1,4 +1,4 @@
-"""Clothes on who wears them: cut to the wearer's own surface."""
+"""Clothes cut to the surface of their wearer."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -20,11 +20,11 @@ from core.guidance.builtin.words.slots import Words
 
 @dataclass(frozen=True)
 class Garment(Solid):
-    """What is worn as one solid, in the wearer's own place."""
+    """A garment as one solid, in the wearer's own place."""
 
     noun: str = field(kw_only=True)
     wearer: Measurements = field(kw_only=True)
-    names: tuple[str, ...] = field(kw_only=True)  # of the noun's parts; "" is left out
+    names: tuple[str, ...] = field(kw_only=True)  # of the noun's parts; "": left out
 
     @torch.no_grad()
     def distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
@@ -36,11 +36,11 @@ class Garment(Solid):
 
 
 def garment(words: Words, drawn: Solid, wearer: Measurements) -> Garment | None:
-    """The thing as it is worn; None where it does not fit: shoes on a fish."""
+    """The garment as it is worn; None where it does not fit, such as shoes on a fish."""
     noun = words.noun
     if noun in SHOES and not wearer.has_legs:
         return None
-    zipped = words.material in ("", "leather")  # of cloth it is buttoned, as a suit is
+    zipped = words.material in ("", "leather")  # a cloth one is buttoned, as a suit is
     names = tuple("" if name == "zip" and not zipped else name for name in looks(noun))
     own = Garment(drawn.net, drawn.triplane, noun=noun, wearer=wearer, names=names)
     return own if len(own.mesh[1]) else None
@@ -49,7 +49,7 @@ def garment(words: Words, drawn: Solid, wearer: Measurements) -> Garment | None:
 def dressed(
     things: Sequence[Thing], bodies: Sequence[Body], relations: Sequence[Relation]
 ) -> tuple[list[Thing], list[Body], list[bool]]:
-    """The drawn things with clothes as the first one wears them; which of the others fit."""
+    """The drawn things with clothes cut to the first one, and whether each of the others fits."""
     first, parts = bodies[0], things[0].parts()
     found, forms, fits = list(things), list(bodies), []
     wearer: Measurements | None = None

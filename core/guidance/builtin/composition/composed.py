@@ -1,8 +1,7 @@
 """Several things as one object: the guidance of "a cat on a cushion", "a corgi wearing a beret".
 
-Each thing is drawn, painted and written on as it is by itself, in its own place (``Placement``).
-What the pictures' network paints of an object with several things is, at each place, what it paints
-of the thing that is there.
+Each thing is drawn, painted and written on by itself, in its own place (``Placement``). The
+prediction for an object with several things is, at each place, that for the thing there.
 """
 
 from collections.abc import Callable, Sequence
@@ -32,22 +31,22 @@ from core.guidance.builtin.words.companions import Relation
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
 
 ALONE = (
-    "left out, as only what the built-in prior draws itself is made of several things; not a mesh "
-    "of yours, nor what is distilled."
+    "left out, as only what the built-in prior draws itself is combined with other things, not "
+    "your mesh or a distilled shape."
 )
 UNFIT = "left out, as the thing has no place for it."
 
 Known = TypeVar("Known", AreaFields, KnownParts)
-BEYOND = 0.1  # training units: what is not in a thing's cube is at least so far from it
+BEYOND = 0.1  # training units: least distance of a thing from points outside its cube
 
 
 class Made(NamedTuple):
-    """How drawn things are put together."""
+    """Drawn things and their placements."""
 
     things: Sequence[Thing]
     places: Sequence[Sequence[Placement]]  # of the copies of each
     size_m: float  # of the whole's longest side, metres
-    unfit: Sequence[str] = ()  # nouns of what does not fit its wearer, and is left out
+    unfit: Sequence[str] = ()  # nouns of garments that do not fit, left out
 
 
 class Composed(PromptedGuidance):
@@ -63,10 +62,10 @@ class Composed(PromptedGuidance):
     ) -> None:
         """
         Args:
-            alone: the first thing as it is without companions.
-            things: the first one as it is with them, and its companions, not drawn.
-            relations: of the first to each companion.
-            made: what the things are, once they are drawn.
+            alone: the first thing without companions.
+            things: the first thing with companions, and its companions, not drawn.
+            relations: of the first thing to each companion.
+            made: the drawn things.
         """
         super().__init__(guidance)
         self.alone, self.things, self.relations, self.made = alone, things, relations, made
@@ -77,7 +76,7 @@ class Composed(PromptedGuidance):
             return self._with(self.alone.of_object(seed))
         drawn = [thing.of_object(seed) for thing in self.things]
         bodies = [Body.of(thing.words, thing.solid) for thing in drawn if thing.solid]
-        if len(bodies) < len(drawn):  # of weights without solids
+        if len(bodies) < len(drawn):  # the weights have no solids
             return self
         drawn, bodies, fits = dressed(drawn, bodies, self.relations)
         drawn, bodies = seated(drawn, bodies, self.relations)
@@ -94,32 +93,33 @@ class Composed(PromptedGuidance):
         return self._with(self.alone, Made(drawn, places, size_m, unfit))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
-        """The first thing alone: a guide is of one thing."""
+        """The first thing alone: a guide has one thing."""
         return self._with(self.alone.in_proportion(guide, strength, least))
 
     def _with(self, alone: Thing, made: "Made | None" = None) -> "Composed":
         return Composed(self._guidance, alone, self.things, self.relations, made)
 
     def size_m(self) -> float | None:
-        """That of the whole, in which the first thing has its usual size or the stated one."""
+        """The longest side of the whole in metres; the first thing has its usual or its stated
+        size."""
         return self.made and self.made.size_m
 
     def start_shape(self) -> Shape | None:
-        """The first thing's: what Ψ learns from pictures is one thing."""
+        """The first thing's: Ψ learns one thing from pictures."""
         return self.alone.start_shape()
 
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views
     ) -> Float[Tensor, "b 4 s s"] | None:
-        """As the first thing's."""
+        """The first thing's."""
         return self.alone.restore(pictures, views)
 
     def parts(self) -> KnownParts | None:
-        """All things', the first's first."""
+        """The parts of all things in order."""
         return self._parts if self.made else self.alone.parts()
 
     def areas(self) -> SolidAreas | None:
-        """All things', the first's first."""
+        """The areas of all things in order."""
         if not self.made:
             return self.alone.areas()
         known = [_known(thing.area_fields()) for thing in self.made.things]
@@ -129,18 +129,18 @@ class Composed(PromptedGuidance):
         return SolidAreas(drawn, each, near, composed_heights(known, self.made.places))
 
     def ranges(self) -> MaterialRanges:
-        """Of all parts of all things."""
+        """The range over all parts of all things."""
         each = [thing.ranges() for thing in self._here]
         rough, metal = ([getattr(one, n) for one in each] for n in ("roughness", "metallic"))
         spans = [(min(low for low, _ in of), max(high for _, high in of)) for of in (rough, metal)]
         return MaterialRanges(*spans)
 
     def surfaces(self) -> tuple[Surface, ...]:
-        """Of all parts of all things."""
+        """The surfaces of all parts of all things."""
         return tuple(dict.fromkeys(one for thing in self._here for one in thing.surfaces()))
 
     def left_out(self) -> tuple[str, ...]:
-        """The things' own notes; and on the companions and the copies that are not there."""
+        """Notes of the things, and on companions and copies that are left out."""
         own = tuple(text for thing in self._here for text in thing.left_out())
         if self.made:
             return own + tuple(f"{noun}: {UNFIT}" for noun in self.made.unfit)
@@ -158,7 +158,7 @@ class Composed(PromptedGuidance):
         cond_only: bool = False,
         apart: bool = False,
     ) -> Predictions:
-        """At each place of the surface the prediction of the thing that is there."""
+        """At each place of the surface the prediction for the thing there."""
         options = {"cond_only": cond_only, "apart": apart}
         surface = views.surface
         if not self.made or surface is None:
@@ -167,7 +167,7 @@ class Composed(PromptedGuidance):
         owner, copy = self._owner(surface)
         found = []
         for index, (thing, places) in enumerate(self._placed):
-            mine = copy * (owner == index)  # elsewhere as the first copy sees it
+            mine = copy * (owner == index)  # elsewhere as seen by the first copy
             seen = torch.stack([seen_from(surface, place) for place in places])
             own = seen.gather(0, mine[None, :, None].expand_as(seen[:1]))[0]
             found.append(thing.predict(z_t, t, Views(views.cameras, own), **options))
@@ -180,8 +180,8 @@ class Composed(PromptedGuidance):
     def _owner(
         self, surface: Float[Tensor, "b 7 s s"]
     ) -> tuple[Int[Tensor, "b s s"], Int[Tensor, "b s s"]]:
-        """The thing at each place of the pictures, and which copy of it; the first where nothing
-        is."""
+        """The thing at each place of the pictures, and its copy; the first one on the
+        background."""
         seen, points = points_of(surface)
         owner = torch.zeros_like(seen, dtype=torch.long)
         copy = torch.zeros_like(owner)
@@ -203,7 +203,7 @@ class Composed(PromptedGuidance):
 
 
 def _known(of_drawn: Known | None) -> Known:
-    """What is known of a thing that is drawn."""
+    """The field or the parts of a drawn thing."""
     assert of_drawn is not None
     return of_drawn
 
@@ -213,17 +213,17 @@ def _put(
     other: Float[Tensor, "b 4 s s"] | None,
     mine: Bool[Tensor, "b 1 s s"],
 ) -> Float[Tensor, "b 4 s s"] | None:
-    """``other`` where it is ``mine``, of predictions that all things have or none."""
+    """``other`` under the mask ``mine``, for predictions that all things have or none."""
     return whole if whole is None or other is None else other.where(mine, whole)
 
 
 class ComposedParts(KnownParts):
-    """The parts of several things, the copies of each in their places."""
+    """The parts of several things, with all copies in their places."""
 
     def __init__(self, placed: Sequence[tuple[KnownParts, Sequence[Placement]]]) -> None:
         self.placed = placed
         each = [parts.forms for parts, _ in placed]
-        flat = tuple(share for forms in each for share in forms.flat)
+        flat = tuple(fraction for forms in each for fraction in forms.flat)
         around = tuple(tuple(x for forms in each for x in forms.round[axis]) for axis in range(3))
         counts = [len(forms.flat) for forms in each]
         self.starts = [sum(counts[:k]) for k in range(len(counts))]
@@ -233,7 +233,7 @@ class ComposedParts(KnownParts):
 
     @cached_property
     def pieces(self) -> list[Piece]:
-        """Each copy's, as the thing has them by itself, but for the part's number."""
+        """The pieces of each copy, with part numbers of the whole."""
         found = []
         for (parts, places), start in zip(self.placed, self.starts, strict=True):
             for piece in parts.pieces * len(places):
@@ -242,7 +242,7 @@ class ComposedParts(KnownParts):
         return found
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
-        """A piece's surface in its place."""
+        """The surface of a piece in its place."""
         for parts, places in self.placed:
             for place in places:
                 if index < len(parts.pieces):
@@ -252,7 +252,7 @@ class ComposedParts(KnownParts):
         raise IndexError(index)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
-        """The parts' distances from their exact surfaces."""
+        """Distances from the exact surfaces of the parts."""
         found = [
             torch.stack([parts.near(place.into(points)) * place.scale for place in places]).amin(0)
             for parts, places in self.placed
@@ -260,7 +260,7 @@ class ComposedParts(KnownParts):
         return torch.cat(found, 1)
 
     def copy(self, points: Float[Tensor, "n 3"]) -> tuple[Int[Tensor, " n"], Int[Tensor, " n"]]:
-        """The thing that each point is of, and which copy of it."""
+        """The thing at each point, and its copy."""
         each = [
             torch.stack([at_place(parts.distances, place, points).amin(1) for place in places], 1)
             for parts, places in self.placed
@@ -280,8 +280,8 @@ class ComposedParts(KnownParts):
 def at_place(
     field: Callable[[Tensor], Tensor], place: Placement, points: Float[Tensor, "n 3"]
 ) -> Float[Tensor, "n p"]:
-    """A thing's distances where it lies. Of points beyond what its network knows they are no less
-    than how far beyond."""
+    """A thing's distances in its place; beyond its cube, no less than the distance from the
+    cube."""
     own = place.into(points)
     near = (own.abs() <= EXTENT).all(1)
     beyond = (own.abs() - EXTENT).clamp_min(0).norm(dim=1) + BEYOND
@@ -292,7 +292,7 @@ def at_place(
 
 
 def composed_field(fields: Sequence[Field], placements: Sequence[Sequence[Placement]]) -> Field:
-    """The areas of all things, from those of each."""
+    """The areas of all things."""
 
     def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
         distances, depths = [], []
@@ -308,7 +308,7 @@ def composed_field(fields: Sequence[Field], placements: Sequence[Sequence[Placem
 def composed_heights(
     things: Sequence[AreaFields], placements: Sequence[Sequence[Placement]]
 ) -> Heights:
-    """How far the surface stands out of all things, from those of each."""
+    """How far the surfaces of all things stand out."""
 
     def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
         found, start = torch.zeros_like(points[:, 0]), 0

@@ -1,4 +1,4 @@
-"""Several of a thing: in a row, in a heap, one on another, or as a bunch of flowers."""
+"""Several copies of a thing: in a row, a heap or a stack, or as a bunch of flowers."""
 
 import math
 from collections.abc import Sequence
@@ -18,12 +18,12 @@ from core.guidance.builtin.composition.placement import (
 from core.guidance.builtin.composition.resting import cells_of, highest
 from core.guidance.builtin.words.companion_words import FLOWERS
 
-TOUCHING = 0.02  # of a side: how far neighbours go into each other, so that they are one mesh
-LYING = 1.5  # times as high as wide: what lies down in a heap
+TOUCHING = 0.02  # of a side: overlap of neighbours, so that they are one mesh
+LYING = 1.5  # times as high as wide: laid down in a heap from here on
 TRIES = 40  # places for each of a heap
-SPREAD = 0.42  # of a thing's width, for each square root of their number: a heap's radius
-MIXED = (0.4, 1.8)  # of the first one's longest side: the others of a mixed heap
-INWARDS = 0.15  # what a unit off a heap's middle costs, in heights
+SPREAD = 0.42  # a heap's radius: times a thing's width and the square root of their number
+MIXED = (0.4, 1.8)  # of the first thing's longest side: sizes of the others in a mixed heap
+INWARDS = 0.15  # cost of a unit off a heap's middle, in heights
 SOME = 1500  # vertices that are dropped
 CELLS = 48  # of a heap's height map, along a side
 TURNED = math.radians(65)  # about the vertical, at most: faces look forward
@@ -32,7 +32,7 @@ GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a di
 
 
 def copies_of(thing: Body) -> list[Placement]:
-    """Where each of them lies, as the words have it."""
+    """The placements of all copies, in the stated order."""
     count = thing.words.count
     if count == 1:
         return [Placement.of()]
@@ -49,12 +49,12 @@ def _row(thing: Body, count: int) -> list[Placement]:
 
 
 def _stack(thing: Body, count: int) -> list[Placement]:
-    """Each on the one below, as deep in it as it goes: plates, cups."""
+    """Each on the one below, as deep in it as possible: plates, cups."""
     return _piled([thing] * count, math.inf, 0.0)
 
 
 def _bunch(thing: Body, count: int) -> list[Placement]:
-    """Flowers that lean away from one another, their stems together."""
+    """Flowers that lean away from one another, with their stems together."""
     foot = torch.tensor([0.0, 0.0, float(thing.box[0, 2])])
     found = []
     for k in range(count):
@@ -69,10 +69,10 @@ def _heap(thing: Body, count: int) -> list[Placement]:
 
 
 def mixed_heap(things: Sequence[Body]) -> list[list[Placement]]:
-    """Several of several things in one heap, each as large as it is to the first."""
+    """Several copies of several things in one heap, at their sizes relative to the first thing."""
     scales = [Placement.of(sized(thing, things[0], *MIXED)) for thing in things]
     each = [thing.placed(scale) for thing, scale in zip(things, scales, strict=True)]
-    # One of each, and again.
+    # One of each in turn.
     turns = [
         k for _, k in sorted((n, k) for k, t in enumerate(things) for n in range(t.words.count))
     ]
@@ -89,8 +89,8 @@ def _width(thing: Body) -> float:
 
 
 def _piled(things: Sequence[Body], high: float, radius: float) -> list[Placement]:
-    """Each on those before it, where it comes to lie lowest; what is more than so many times
-    ``high``er than wide lies down."""
+    """Each at its lowest place on those before it; longer than ``high`` times its width, it is laid
+    down."""
     generator = torch.Generator().manual_seed(0)
     side = 2 * (radius + max(thing.longest for thing in things))
     heights = torch.zeros(CELLS, CELLS)  # the ground
@@ -110,7 +110,7 @@ def _lowest(
     side: float,
     generator: torch.Generator,
 ) -> tuple[Placement, Float[Tensor, "v 3"]]:
-    """The next one's place, and its points there."""
+    """The next thing's place, and its points there."""
     best, cost = None, math.inf
     begin = 2 * math.pi * float(torch.rand(1, generator=generator))
     for k in range(TRIES if radius else 1):
@@ -131,5 +131,5 @@ def _lowest(
 
 
 def square_of(side: float) -> tuple[Float[Tensor, " 2"], Float[Tensor, " 2"]]:
-    """The lowest corner and the sides of a square about the origin."""
+    """The lowest corner and the sides of a square around the origin."""
     return torch.full((2,), -side / 2), torch.full((2,), side)

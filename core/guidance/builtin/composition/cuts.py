@@ -1,7 +1,7 @@
-"""How clothes are cut: each part's signed distance, from its wearer's measurements.
+"""Cuts of clothes: each part's signed distance, from its wearer's measurements.
 
-What is a little outside of the wearer's own surface, between planes: at the neck, at the crotch, at
-the wrists, before an animal's hind legs.
+A garment is a little outside the wearer's own surface, between planes: at the neck, at the crotch,
+at the wrists, in front of an animal's hind legs.
 """
 
 from collections.abc import Callable
@@ -14,12 +14,12 @@ from torch import Tensor
 
 from core.guidance.builtin.composition.measurements import Measurements
 
-# Training units, outside the wearer: cloth, its rims, what is stiff, a scarf's ring and its end.
+# Training units, outside the wearer: cloth, its rims, stiff parts, a scarf's ring and its end.
 CLOTH, RIM, STIFF, THICK, PADDED = 0.035, 0.055, 0.06, 0.075, 0.06
-# Training units: by how much one garment is farther out than another that may be under it.
+# Training units: how much farther out a garment is than another one that may be under it.
 LAYERS = {"dress": 0.008, "shirt": 0.008, "jacket": 0.016, "belt": 0.016, "chestplate": 0.016}
 EDGE = 0.03  # training units: half of a hem's or a collar's height
-AROUND = 0.06  # training units, that a trunk's front and back are let out by
+AROUND = 0.06  # training units added to a trunk's front and back
 WAIST = 0.3  # of the way from the crotch to the neck
 FLARE = 1.5  # a skirt's width at its hem, of the waist's
 # On all fours: how steeply a skirt goes outwards, and for how long, training units.
@@ -46,7 +46,7 @@ Cloth = dict[str, Distance]  # by part of the noun
 
 
 class Place:
-    """Points, and where they are to one who wears something."""
+    """Points, and their position relative to a wearer."""
 
     def __init__(self, wearer: Measurements, points: Float[Tensor, "n 3"], layer: float) -> None:
         self.wearer, self.points, self.layer = wearer, points, layer
@@ -57,12 +57,12 @@ class Place:
 
     @cached_property
     def skin(self) -> Distance:
-        """From what is under the garment."""
+        """Distance from the surface below the garment."""
         return self.wearer.skin(self.points) - self.layer
 
     @cached_property
     def off_trunk(self) -> Distance:
-        """How far out of what a shirt covers."""
+        """Distance outside what a shirt covers."""
         wearer, y = self.wearer, self.points[:, 1]
         if not wearer.stands:
             ends = [-self.below, y - wearer.hind + EDGE, wearer.sleeve - self.level]
@@ -75,12 +75,13 @@ class Place:
         return most(neck, hands, -hanging, front, back, wearer.crotch - self.level)
 
     def band(self, at: Distance, middle: float = 0.0, half: float = EDGE) -> Distance:
-        """How far from what is within ``half`` of a value."""
+        """Distance outside the band within ``half`` of a value."""
         return (at - middle).abs() - half
 
     @property
     def hems(self) -> Distance:
-        """How far from the rim at a shirt's lower end; on all fours, from its sleeves' too."""
+        """Distance from the rim at a shirt's lower end; on all fours, also from those of its
+        sleeves."""
         wearer = self.wearer
         if wearer.stands:
             return self.band(self.level, wearer.crotch + EDGE)
@@ -89,7 +90,7 @@ class Place:
 
     @property
     def collar(self) -> Distance:
-        """How far from the rim at the neck."""
+        """Distance from the rim at the neck."""
         ring = self.band(self.below, EDGE)
         if not self.wearer.stands:
             return ring
@@ -98,13 +99,13 @@ class Place:
 
     @property
     def waist(self) -> float:
-        """Its z, of who stands."""
+        """The z of the waist of an upright wearer."""
         wearer = self.wearer
         return wearer.crotch + WAIST * (float(wearer.neck[2]) - wearer.crotch)
 
 
 def most(*distances: Distance) -> Distance:
-    """From what all have in common."""
+    """The intersection of distances."""
     return torch.stack(distances).amax(0)
 
 
@@ -142,9 +143,9 @@ def _dress(at: Place) -> Cloth:
             "belt": most(at.skin - RIM, at.band(behind), at.off_trunk),
         }
     foot, waist = wearer.low + 2 * EDGE, at.waist
-    share = ((waist - level) / (waist - foot)).clamp(0, 1)
+    fraction = ((waist - level) / (waist - foot)).clamp(0, 1)
     half = level.new_tensor([wearer.wide, (wearer.back - wearer.front) / 2]) + CLOTH
-    wide = half * (1 + (FLARE - 1) * share[:, None])
+    wide = half * (1 + (FLARE - 1) * fraction[:, None])
     off_axis = torch.stack([at.aside, at.before], 1)
     cone = ((off_axis / wide).norm(dim=1) - 1) * wide.amin(1)
     arms = at.aside - wearer.wide - RIM
@@ -240,12 +241,12 @@ def _cape(at: Place) -> Cloth:
         return {"cloth": cloth, "collar": collar, "clasp": most(clasp, chest)}
     neck, foot = float(wearer.neck[2]), wearer.low + 3 * EDGE
     before = at.points[:, 1] - float(wearer.neck[1])
-    share = ((neck - level) / (neck - foot)).clamp(0, 1)
-    # Around its back, half an ellipse, and farther out and folded towards the hem.
-    deep = wearer.back - float(wearer.neck[1]) + CLOTH + SWUNG * share
-    wide = wearer.wide * (1 + SPREAD * share)
+    fraction = ((neck - level) / (neck - foot)).clamp(0, 1)
+    # Half an ellipse around the back, farther out and folded towards the hem.
+    deep = wearer.back - float(wearer.neck[1]) + CLOTH + SWUNG * fraction
+    wide = wearer.wide * (1 + SPREAD * fraction)
     angle = torch.atan2(at.aside / wide, before / deep)
-    out = torch.hypot(at.aside / wide, before / deep) - 1 - FOLD * share * (FOLDS * angle).cos()
+    out = torch.hypot(at.aside / wide, before / deep) - 1 - FOLD * fraction * (FOLDS * angle).cos()
     sheet = most(at.band(out * deep.minimum(wide), half=CLOTH), -before, level - neck, foot - level)
     shoulders = neck - DRAPED * (neck - wearer.crotch)
     draped = most(at.skin - STIFF, -before, -at.below, shoulders - level)
@@ -257,7 +258,8 @@ def _cape(at: Place) -> Cloth:
 
 
 class Shoe(NamedTuple):
-    """A shoe: how high, of a leg; the noun's parts that are its upper, its sole, its cuff."""
+    """A shoe: its height as a fraction of a leg; the noun's parts that are its upper, its sole and
+    its cuff."""
 
     shaft: float
     upper: str = "body"
@@ -265,7 +267,7 @@ class Shoe(NamedTuple):
     cuff: str = ""
 
     def __call__(self, at: Place) -> Cloth:
-        """As a cut."""
+        """The distances of its parts."""
         wearer, level = at.wearer, at.level
         foot = level.new_tensor(wearer.low + FOOT)  # below, it goes straight down to the ground
         section = torch.cat([at.points[:, :2], level.maximum(foot)[:, None]], 1)
@@ -303,5 +305,5 @@ CUTS: dict[str, Callable[[Place], Cloth]] = {
 
 
 def cut(noun: str, wearer: Measurements, points: Float[Tensor, "n 3"]) -> Cloth:
-    """The signed distance of each part of what is worn, training units."""
+    """The signed distance of each part of a garment, training units."""
     return CUTS[noun](Place(wearer, points, LAYERS.get(noun, 0.0)))

@@ -1,4 +1,4 @@
-"""What is held: in a hand, before the chest, or in the mouth."""
+"""Placements of held things: in a hand, in front of the chest, or in the mouth."""
 
 import torch
 from jaxtyping import Float
@@ -9,28 +9,28 @@ from core.guidance.builtin.composition.wearing import NO_HEAD, UPRIGHT, head_of
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.companion_words import FLOWERS
 
-# Of the holder's longest side, at least and at most: what is held; of it what is not slender; what
-# stands up from a hand.
+# Of the holder's longest side, least and most: a held thing; one that is not slender; one that is
+# upright in a hand.
 HELD, BULKY, RAISED_SIZES = (0.28, 0.85), (0.28, 0.5), (0.4, 0.75)
-SLENDER, LONG = 2.2, 1.25  # times as long as it is wide: along its grip; across a mouth
+SLENDER, LONG = 2.2, 1.25  # times as long as wide: along its grip; across a mouth
 AT_CHEST, AT_MOUTH = (0.28, 0.45), ((0.2, 0.3), (0.28, 0.42))  # in a mouth: bulky, long
 HANDED = frozenset(GROUPS["Characters"]) | frozenset("person knight alien robot skeleton".split())
 CLAWED = {"crab": "claws", "lobster": "claws", "scorpion": "claws"}
-# What hangs on its grip or stands up from it, in a mouth too.
+# Things that hang on their grip or are upright on it, in a mouth too.
 RAISED = frozenset("umbrella balloon torch candle lantern signpost".split())
 RAISED |= frozenset(GROUPS["Flags and Signs"]) | {"flag", "stop sign", "kite"}
 GRIPS = "string handle grip hilt handles shaft stick pole stem neck post rod".split()
-GRIPPED = 0.2  # of what has no grip, from its lower end
+GRIPPED = 0.2  # without a grip, from its lower end
 NO_ARM = tuple(name for name in NO_HEAD if name not in ("arms", "limbs", "legs", "claws"))
 CHIN = 0.9  # of the head's width below the eyes, at most: the mouth
 ARM = (0.25, 0.75)  # of a figure's height: where the hand is
-OUT = 0.82  # of the way to the side, from which on it is the arm
+OUT = 0.82  # of the way to the side: beyond it is the arm
 CHEST = 0.42  # of the height
 SUNK = 0.03
 
 
 def held(item: Body, holder: Body, second: bool = False) -> Placement:
-    """Where what is held is; ``second``: next to something else, in the other hand."""
+    """The placement of a held thing; ``second``: next to something else, in the other hand."""
     noun = holder.words.noun
     if noun in HANDED or noun in CLAWED:
         return _in_hand(item, holder, second)
@@ -57,14 +57,14 @@ def _in_hand(item: Body, holder: Body, second: bool) -> Placement:
 
 
 def _hand(holder: Body) -> Float[Tensor, " 3"]:
-    """The front of a hand: of the holder's right one, on the left of the picture."""
+    """The front of the holder's right hand, on the left of the picture."""
     found = holder.of_parts(CLAWED.get(holder.words.noun, ""))
     if len(found):
         mine = found[found[:, 0] < found[:, 0].mean()]
         tip = mine[mine[:, 1] <= mine[:, 1].quantile(0.1)]
         return tip.mean(0)
     rest = holder.without(*NO_ARM)
-    low, high = (float(holder.box[0, 2] + share * holder.sides[2]) for share in ARM)
+    low, high = (float(holder.box[0, 2] + fraction * holder.sides[2]) for fraction in ARM)
     arms = rest[(rest[:, 2] > low) & (rest[:, 2] < high)]
     if not len(arms):
         arms = rest
@@ -84,7 +84,7 @@ def _grip(item: Body) -> Float[Tensor, " 3"]:
 
 
 def _along(item: Body, times: float = SLENDER) -> int:
-    """The axis that a thing is along, ``times`` as long as along the others; -1 if it is not."""
+    """The axis along which a thing is ``times`` as long as along the others; -1 without one."""
     order = item.sides.argsort()
     slender = item.sides[order[2]] > times * item.sides[order[1]]
     return int(order[2]) if slender else -1
@@ -120,7 +120,7 @@ def _in_mouth(item: Body, holder: Body) -> Placement:
 
 
 def _beside(holder: Body) -> Float[Tensor, " 3"]:
-    """Beside the shoulder, so that what stands up there hides no face."""
+    """A place next to the shoulder, so that a tall thing hides no face."""
     low, high = holder.box
     side = holder.without(*NO_HEAD)[:, 0].amin()
     y, z = (low + (high - low) * torch.tensor([0.0, 0.3, 0.6]))[1:]
@@ -128,7 +128,7 @@ def _beside(holder: Body) -> Float[Tensor, " 3"]:
 
 
 def _mouth(holder: Body) -> Float[Tensor, " 3"]:
-    """What is foremost of the head."""
+    """The foremost part of the head."""
     rest, head = holder.without(*NO_HEAD), head_of(holder)
     near = rest[rest[:, 2] > head.eyes - CHIN * head.wide]
     rest = near if len(near) else rest

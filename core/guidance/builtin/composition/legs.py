@@ -1,4 +1,4 @@
-"""Where the legs of somebody who stands are: two limbs, mirrored, from the crotch to the soles."""
+"""The legs of a standing figure: two mirrored limbs from the crotch to the soles."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,24 +12,24 @@ from core.guidance.builtin.composition.holding import HANDED
 from core.guidance.builtin.composition.placement import Body
 from core.guidance.builtin.palette import looks
 
-# Of the characters those with other legs than two, on a block, or with two other ends below.
+# Characters without two legs: with others, on a block, or with two other lower ends.
 NO_FIGURES = ("bone", "tooth", "hand", "mermaid", "centaur", "griffin", "nutcracker")
-# What hangs down beside or behind the legs, and is none.
+# Parts that hang down next to or behind the legs.
 HANGING = tuple(
     """cape wings shield sword katana rifle staff wand axe pack cannons flag hilt tail tails plume
     scarf beard hair cloak scythe gun bow quiver broom""".split()
 )
-LEVELS, UP_TO = 48, 0.6  # heights that are looked at; of the height, where they end
+LEVELS, UP_TO = 48, 0.6  # heights to search; of the height, where they end
 ACROSS, DEEP = 32, 44  # places at each, from the middle to the side, from front to back
 WIDE = 0.3  # of the height: legs are not farther aside
-# Of the height, from below: where it is looked for legs; how long they are, at least.
+# Of the height, from below: the level to search for legs; their least length.
 FIRST, LEAST = 0.09, 0.09
-# How deep the body is in the middle, of what it is in a leg: between two legs at most, even where
+# The body's depth in the middle as a fraction of a leg's: the most between two legs, even where
 # they touch.
 BETWEEN = 0.75
 DEEPER = 0.012  # training units, at the crotch
-HEM = 1.45  # times as thick as a leg mostly is
-ASIDE = 0.07  # training units, that a leg's middle may be off from one height to the next
+HEM = 1.45  # of a leg's usual thickness
+ASIDE = 0.07  # training units: largest shift of a leg's middle between heights
 MARGIN = 0.045  # training units, around the legs
 THICK = 3.0  # of a leg's radius: how far from its middle it goes sideways and to the back
 ROUND = 1.3  # of its radius: how far it goes to the front, at least
@@ -40,18 +40,18 @@ KNEED = 2.4  # radii: a leg as long as this has a knee
 
 @dataclass(frozen=True)
 class Legs:
-    """The right and the left leg, each the other's mirror; training units, x from the axis on."""
+    """The right and the left leg, mirrored; training units, x from the axis."""
 
     box: Float[Tensor, "2 3"]  # around the left one, from the middle between the two
     middle: Float[Tensor, " 2"]  # of the left one, x and y
     radius: float
     crotch: float  # z
     square: bool = False  # as a robot's are
-    axis: float = 0.0  # x of the middle between them: who waves is not in the middle of their box
+    axis: float = 0.0  # x of the middle between them: a waving figure is off its box's middle
 
     @property
     def half(self) -> float:
-        """Half as wide as both are together."""
+        """Half the width of both together."""
         return float(self.middle[0]) + self.radius
 
     @property
@@ -73,7 +73,7 @@ class Legs:
 
 
 def legs_of(body: Body, parts: KnownParts) -> Legs | None:
-    """The legs of who is drawn; None of who has none, such as a queen in a dress."""
+    """The legs of a drawn figure; None without legs, such as a queen's in a dress."""
     noun = body.words.noun
     if noun not in HANDED or noun in NO_FIGURES:
         return None
@@ -112,7 +112,7 @@ def _axis(body: Body) -> float:
 
 
 class _Sides:
-    """How deep a body is at each height, in what is on both sides of x = 0."""
+    """The depth of a body at each height, inside on both sides of x = 0."""
 
     def __init__(self, body: Body, distance: Callable[[Tensor], Tensor]) -> None:
         (low, high), height = body.box, float(body.sides[2])
@@ -128,7 +128,7 @@ class _Sides:
         self._cores: dict[int, tuple[float, float, float]] = {}
 
     def legs(self) -> list[int]:
-        """The levels of the legs, from where they are looked for up to the crotch."""
+        """The levels of the legs, from the lowest that is searched up to the crotch."""
         found: list[int] = []
         before = None
         for level in range(self.first, LEVELS - 1):
@@ -140,15 +140,15 @@ class _Sides:
         return found if len(found) > 1 else []
 
     def parted(self, levels: list[int]) -> list[int]:
-        """Those of the legs' levels that are below the trunk, which is deeper in the middle than
-        what is between two legs."""
+        """The legs' levels below the trunk, which is deeper in the middle than the gap between two
+        legs."""
         between = [float(self.depth[level, 0].amax()) for level in levels]
         most = max(float(torch.tensor(between).median()), 0.0) + DEEPER
         last = max((k for k, deep in enumerate(between) if deep < most), default=0)
         return self._below_hem(levels[: max(last, 1) + 1])
 
     def _below_hem(self, levels: list[int]) -> list[int]:
-        """Those at which nothing hangs around the legs."""
+        """The levels without a hem around the legs."""
         runs = [self.run(level) or (0.0, 0.0, 0.0) for level in levels]
         cores = [self._cores[level] for level in levels]
         pairs = list(zip(runs, cores, strict=True))
@@ -161,7 +161,7 @@ class _Sides:
     def _core(
         self, level: int, before: tuple[float, float, float] | None
     ) -> tuple[float, float, float] | None:
-        """The deepest place of the leg at a level, x and y, and how deep."""
+        """The deepest place of the leg at a level, x and y, and its depth."""
         depth = self.depth[level]
         if before is not None:
             depth = depth.masked_fill((self.x[:, None] - before[0]).abs() > ASIDE, -1.0)
@@ -171,12 +171,12 @@ class _Sides:
         return (float(self.x[i]), float(self.y[j]), deep) if deep > 0 and i else None
 
     def cores(self, levels: list[int]) -> tuple[list[float], list[float]]:
-        """Each level's deepest places: x and y."""
+        """Each level's deepest places, x and y."""
         x, y, _ = zip(*(self._cores[level] for level in levels), strict=True)
         return list(x), list(y)
 
     def radius(self, level: int) -> float:
-        """Half as wide as the leg is at a level, in the mean over both ways."""
+        """Half the leg's width at a level, averaged over both directions."""
         x, y, deep = self._cores[level]
         run = self.run(level)
         if run is None:
@@ -185,7 +185,7 @@ class _Sides:
         return (min(aside - x, x) + min(aside - x, y - front, back - y)) / 2
 
     def run(self, level: int) -> tuple[float, float, float] | None:
-        """How far the leg goes sideways, to the front and to the back from its core."""
+        """How far the leg extends to the side, to the front and to the back from its core."""
         core = self._cores.get(level) or self._cores[self.first]
         i = int((self.x - core[0]).abs().argmin())
         j = int((self.y - core[1]).abs().argmin())

@@ -1,4 +1,4 @@
-"""The measurements of somebody, as a tailor takes them."""
+"""Body measurements of a wearer, as for a tailor."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ from core.guidance.builtin.composition.wearing import NO_HEAD, Head, head_of, ne
 from core.guidance.builtin.palette import looks
 
 LIMBS = ("arms", "legs", "limbs", "claws")
-# What no cloth covers: it goes through.
+# Parts that go through cloth.
 BARE = frozenset(NO_HEAD).difference(LIMBS) | {"bow tie", "spikes", "plates", "shell", "joints"}
 FEET = "feet", "shoes", "boots", "hooves", "legs"
 CRAWLING = frozenset("snake snail caterpillar seal walrus stingray".split())
-CELLS = 88  # of the lattice on which the distances of what is dressed are known
-TALL = 0.8  # of the length: the height of who stands, at least
-OVERHEAD = 0.2  # of the height: so far before its trunk is the head of who stands, at most
+CELLS = 88  # of the lattice of the dressed parts' distances
+TALL = 0.8  # of the length: least height of an upright body
+OVERHEAD = 0.2  # of the height: most distance of an upright body's head in front of its trunk
 SLIM = 0.04  # training units
 LEGS, NO_LEGS = 0.12, 0.28  # of the height: a crotch's, at least; where a hem is without legs
 LONGEST = 0.45  # of the height up to the neck: legs
 COLLAR = 0.1  # of the head's width, above the neck's narrowest place, of who stands
 HANDS = 0.16  # of the reach from side to side, on each
 HAND = 0.2  # of an arm that hangs
-HANGING = 0.4  # of a trunk's height: what is so high at its side is no hand, but an arm that hangs
+HANGING = 0.4  # of a trunk's height: this high at its side it is a hanging arm, not a hand
 # From the head's middle to the neck, on all fours: of the head's width, of the length, at most.
 HEADED, SHOULDERS = 0.5, 0.22
 DOWN = torch.tensor([0.0, 0.0, -1.0])
@@ -48,13 +48,13 @@ Field = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
 
 @dataclass(frozen=True)
 class Measurements:
-    """What clothes are cut by, training units."""
+    """Measurements for cutting clothes, training units."""
 
     skin: Field  # signed distance of trunk, limbs and head
     head: Head
     stands: bool  # upright; or on all fours
     low: float  # the ground
-    crotch: float  # z, or a little above the ground; of an animal its belly's
+    crotch: float  # z, or a little above the ground; of an animal, its belly's
     has_legs: bool
     neck: Point  # where a shirt begins
     down: Point  # from there into the trunk, a unit vector
@@ -63,15 +63,15 @@ class Measurements:
     neck_wide: float
     front: float  # y of the trunk
     back: float
-    hind: float  # y, before the hind legs; the back of who stands
-    wide: float  # half of the trunk's width, of who stands without arms
-    reach: float  # |x|, where the hands begin of who holds them out
+    hind: float  # y in front of the hind legs; of an upright body its back
+    wide: float  # half of the trunk's width, of an upright body without arms
+    reach: float  # |x| where hands begin that are held out
     sleeve: float  # z, where sleeves end: an animal's, and of arms that hang
-    raised: float  # z, up to which they go beside the head, of arms that are raised
+    raised: float  # z up to which raised arms go next to the head
 
     @classmethod
     def of(cls, body: Body, parts: KnownParts) -> "Measurements":
-        """Of who is drawn."""
+        """Of a drawn body."""
         head, dressed = head_of(body), body.without(*BARE)
         skin = _skin(parts, body.words.noun)
         sides = dressed.amax(0) - dressed.amin(0)
@@ -165,16 +165,16 @@ class Measurements:
         )
 
     def below_neck(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """How far into the trunk."""
+        """Distance below the neck, into the trunk."""
         return (points - self.neck.to(points)) @ self.down.to(points)
 
     def below_throat(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """How far from a collar's middle."""
+        """Distance from the middle of a collar."""
         return (points - self.throat.to(points)) @ self.throatward.to(points)
 
     @property
     def leg(self) -> float:
-        """How long: from the ground to the crotch."""
+        """The length from the ground to the crotch."""
         return self.crotch - self.low
 
     @property
@@ -184,7 +184,7 @@ class Measurements:
 
 
 def _axis(body: Body, head: Head) -> float:
-    """The x of somebody's middle: of the eyes', or of the box's of what has none."""
+    """The x of a body's middle: of the eyes, otherwise of the box."""
     middle = head.middle if len(body.of_parts(*EYES)) else body.box.mean(0)
     return float(middle[0])
 
@@ -198,8 +198,8 @@ def _walks(body: Body, apart: bool) -> bool:
 def _arms(
     dressed: Float[Tensor, "n 3"], crotch: float, top: float, wide: float
 ) -> tuple[float, float | None]:
-    """How far to the side sleeves go on arms that are held out; and how far down on arms that
-    hang, None if they do not."""
+    """How far sleeves go to the side on arms that are held out, and down on hanging arms; None for
+    arms that do not hang."""
     trunk = dressed[(dressed[:, 2] > crotch) & (dressed[:, 2] < top)]
     aside = trunk[:, 0].abs()
     reach = float(aside.amax()) if len(trunk) else wide
@@ -213,7 +213,7 @@ def _arms(
 
 
 def _rows(y: Float[Tensor, " n"]) -> tuple[float | None, float | None]:
-    """Where the front feet and where the hind feet begin; Nones where there are no two rows."""
+    """Where the front feet and the hind feet begin; Nones without two rows."""
     places = y.sort().values
     gaps = places[1:] - places[:-1]
     if not len(gaps) or float(gaps.max()) < APART * float(places[-1] - places[0]):
@@ -222,14 +222,14 @@ def _rows(y: Float[Tensor, " n"]) -> tuple[float | None, float | None]:
 
 
 def _inside(skin: Field, start: Point, way: Point) -> float:
-    """How far one comes inside from a place on a way."""
+    """How far inside a place on a line is."""
     steps = torch.linspace(0, EXTENT, CELLS)
     outside = skin(start + steps[:, None] * way) > 0
     return float(steps[outside.long().argmax()]) if outside.any() else EXTENT
 
 
 def _skin(parts: KnownParts, noun: str) -> Field:
-    """The distance from what is dressed, exact near it, from a lattice."""
+    """The distance from the dressed parts, exact near them, from a lattice."""
     count = len(parts.forms.flat)
     names = list(looks(noun))[:count]
     dressed = [k for k, name in enumerate(names) if name not in BARE] or list(range(count))

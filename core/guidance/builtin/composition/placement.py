@@ -1,4 +1,4 @@
-"""Where a thing of a composition lies, and what is known of its form when it is placed."""
+"""Placements of a composition's things, and the form that placing needs to know."""
 
 import math
 from collections.abc import Sequence
@@ -33,19 +33,19 @@ class Placement:
 
     @classmethod
     def of(cls, scale: float = 1.0, turn: Float[Tensor, "3 3"] | None = None) -> "Placement":
-        """About the origin."""
+        """A placement around the origin."""
         return cls(scale, torch.zeros(3), torch.eye(3) if turn is None else turn)
 
     def moved(self, shift: Float[Tensor, " 3"]) -> "Placement":
-        """Farther by ``shift``."""
+        """The placement moved by ``shift``."""
         return replace(self, shift=self.shift + shift)
 
     def then(self, scale: float, shift: Float[Tensor, " 3"]) -> "Placement":
-        """Scaled about the origin, then moved."""
+        """The placement scaled around the origin, then moved."""
         return Placement(self.scale * scale, self.shift * scale + shift, self.turn)
 
     def of_copy(self, copy: "Placement") -> "Placement":
-        """That of a copy in a group that lies here."""
+        """The placement of a copy in a group with this placement."""
         return Placement(
             self.scale * copy.scale, self.out(copy.shift[None])[0], self.turn @ copy.turn
         )
@@ -56,33 +56,33 @@ class Placement:
         return Placement(1 / self.scale, -self.shift @ turn.T / self.scale, turn)
 
     def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
-        """The thing's own points where they come to lie."""
+        """Points of the thing in the composition."""
         return self.scale * points @ self.turn.T.to(points) + self.shift.to(points)
 
     def into(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
-        """Points of the composition as the thing knows them."""
+        """Points of the composition in the thing's own coordinates."""
         return (points - self.shift.to(points)) @ self.turn.to(points) / self.scale
 
 
 @dataclass(frozen=True)
 class Body:
-    """A drawn thing as points of its surface, about evenly spread, and what part each is of."""
+    """A drawn thing as points of its surface, about evenly spread, each with its part."""
 
     words: Words
     verts: Float[Tensor, "v 3"]
     faces: Int[Tensor, "f 3"]
     part: Int[Tensor, " v"]
-    metres: float = 1.0  # that a training unit of it stands for
-    rests: Placement | None = None  # where that lies which it sits on or rides
-    standing: "Body | None" = None  # as it is before it sits, its trunk in the same place
+    metres: float = 1.0  # metres of a training unit
+    rests: Placement | None = None  # the placement of its seat or mount
+    standing: "Body | None" = None  # before it sits, its trunk in the same place
 
     @classmethod
     def of(cls, words: Words, solid: Solid) -> "Body":
-        """As the thing's network has it."""
+        """From the thing's network."""
         verts, faces = (of.cpu() for of in solid.mesh)
         distances = solid.distances(verts)
         part = distances.argmin(1)
-        # What lies in a face, such as a figure's eyes, has no vertex of its own.
+        # A part inside a face, such as a figure's eyes, has no vertex of its own.
         for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
             part[distances[:, small] < NEAR] = small
         body = cls(words, verts, faces, part)
@@ -91,13 +91,13 @@ class Body:
         return replace(body, metres=longest / body.longest)
 
     def placed(self, placement: Placement) -> "Body":
-        """The thing there."""
+        """The thing at a placement."""
         metres = self.metres / placement.scale
         standing = self.standing and self.standing.placed(placement)
         return replace(self, verts=placement.out(self.verts), metres=metres, standing=standing)
 
     def group(self, copies: "Sequence[Placement]") -> "Body":
-        """Several of the thing as one."""
+        """Several copies of the thing as one."""
         return joined([self.placed(copy) for copy in copies])
 
     @cached_property
@@ -107,22 +107,22 @@ class Body:
 
     @property
     def sides(self) -> Float[Tensor, " 3"]:
-        """The box's, along x, y, z."""
+        """The box's extents along x, y and z."""
         return self.box[1] - self.box[0]
 
     @property
     def longest(self) -> float:
-        """The longest of its sides."""
+        """The longest extent."""
         return float(self.sides.max())
 
     @property
     def usual(self) -> float:
-        """How long the longest is, in metres."""
+        """The longest extent in metres."""
         return self.metres * self.longest
 
-    def share(self, index: int, count: int) -> "Body":
-        """One of ``count`` cells of it as seen from above, in rows from the back to the front, or
-        in one row where it is long; the rest is flat there."""
+    def cell(self, index: int, count: int) -> "Body":
+        """One of ``count`` cells seen from above, in rows from the back to the front, or in one row
+        of a long thing; the rest is flattened."""
         x, y = self.sides[:2].tolist()
         columns = count if x > LONG * y else 1 if y > LONG * x else math.ceil(math.sqrt(count))
         rows = math.ceil(count / columns)
@@ -138,27 +138,27 @@ class Body:
         return replace(self, verts=verts)
 
     def bare(self, *names: str) -> "Body":
-        """Without the faces of parts of these names."""
+        """The thing without the faces of the named parts."""
         gone = self.among(*names)[self.faces].any(1)
         return replace(self, faces=self.faces[~gone])
 
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
-        """The points of parts of these names."""
+        """The points of the named parts."""
         return self.verts[self.among(*names)]
 
     def without(self, *names: str) -> Float[Tensor, "n 3"]:
-        """The points of all other parts; of all, if there are no others."""
+        """The points of all other parts; all points without others."""
         rest = self.verts[~self.among(*names)]
         return rest if len(rest) else self.verts
 
     def among(self, *names: str) -> Bool[Tensor, " v"]:
-        """Which points are of parts of these names."""
+        """Which points belong to the named parts."""
         rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
         return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
 
 
 def joined(bodies: Sequence[Body]) -> Body:
-    """All of them as one thing, of the first one's words."""
+    """All of them as one thing, with the first one's words."""
     starts = [sum(len(body.verts) for body in bodies[:k]) for k in range(len(bodies))]
     faces = [body.faces + start for body, start in zip(bodies, starts, strict=True)]
     verts, part = (torch.cat([getattr(body, of) for body in bodies]) for of in ("verts", "part"))
@@ -166,16 +166,15 @@ def joined(bodies: Sequence[Body]) -> Body:
 
 
 def sized(thing: Body, other: Body, least: float, most: float) -> float:
-    """The factor on ``thing`` by which it and ``other`` are as large as they usually are to each
-    other; its longest side is ``least`` to ``most`` times the other's, or a thing would not be
-    seen."""
+    """The factor on ``thing`` for the usual ratio of its size to ``other``'s; its longest side
+    becomes ``least`` to ``most`` times the other's, so that it stays visible."""
     wanted = min(max(thing.usual / other.usual, least), most)
     return wanted * other.longest / thing.longest
 
 
 def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
-    """The turn that lays down what is flat, as a coin is, or more than so many times ``high``er
-    than wide."""
+    """The rotation that lays down a flat thing, such as a coin, or one that is more than ``high``
+    times as high as wide."""
     x, y, z = thing.sides.tolist()
     if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
         return about_x(-math.pi / 2) if y < x else Z_TO_X

@@ -1,8 +1,8 @@
 """A drawn thing in another pose than its rest pose: bones, each a region that is moved.
 
-As the thing's distances are known everywhere, nothing is deformed: a bone has what is in its region
-of the rest pose, moved rigidly. The regions of neighbours overlap at their joint in a ball, so that
-it is filled.
+The thing's distances are known everywhere, so nothing is deformed: a bone has the part of the rest
+pose in its region, moved rigidly. The regions of neighbours overlap at their joint in a ball, so
+that it is filled.
 """
 
 from collections.abc import Callable
@@ -32,33 +32,33 @@ Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
 
 @dataclass(frozen=True)
 class Bone:
-    """What is in some regions of the rest pose, or in none of them, and where it is moved."""
+    """The part of the rest pose inside some regions, or outside all of them, and its motion."""
 
     regions: tuple[Region, ...]
     place: Placement
     within: bool = True
 
     def moved(self, by: Float[Tensor, " 3"]) -> "Bone":
-        """That of a thing that is farther by so much."""
+        """The bone of a thing moved by so much."""
         back = by - self.place.turn @ by * self.place.scale
         regions = tuple(region.moved(by) for region in self.regions)
         return replace(self, regions=regions, place=self.place.moved(back))
 
     def gap(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        """How far points of the rest pose are from what is the bone's, signed."""
+        """Signed distances of points of the rest pose from the bone's region."""
         gap = torch.stack([_distance(region, points) for region in self.regions]).amin(0)
         return gap if self.within else -gap
 
 
 def _distance(region: Region, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-    """From a box and the capsules that go with it."""
+    """The distance from a box and its capsules."""
     low, high = (end.to(points) for end in region.box)
     beyond = torch.maximum(low - points, points - high)
     found = beyond.clamp_min(0).norm(dim=1) + beyond.amax(1).clamp_max(0)
     for start, end, radius in region.capsules:
         way, from_start = (end - start).to(points), points - start.to(points)
-        share = ((from_start @ way) / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
-        found = torch.minimum(found, (from_start - share[:, None] * way).norm(dim=1) - radius)
+        fraction = ((from_start @ way) / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
+        found = torch.minimum(found, (from_start - fraction[:, None] * way).norm(dim=1) - radius)
     return found
 
 
@@ -75,7 +75,7 @@ class Pose:
         return torch.where(inside.any(1), inside.argmax(1), gaps.argmin(1))
 
     def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
-        """Points of the rest pose where they come to lie."""
+        """Points of the rest pose in the pose."""
         owner, found = self.owner(points), points.clone()
         for index, bone in enumerate(self.bones):
             mine = owner == index
@@ -83,15 +83,15 @@ class Pose:
         return found
 
     def moved(self, by: Float[Tensor, " 3"]) -> "Pose":
-        """The same of a thing that is farther by so much."""
+        """The pose of a thing moved by so much."""
         return Pose(tuple(bone.moved(by) for bone in self.bones))
 
     def body(self, body: Body) -> Body:
-        """A drawn thing's."""
+        """The posed body of a drawn thing."""
         return replace(body, verts=self.out(body.verts))
 
     def distances(self, known: Distances) -> Distances:
-        """The distances of parts in the pose, from those in the rest pose."""
+        """Distances of parts in the pose, from those in the rest pose."""
 
         def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
             return torch.stack(self._each(known, points)).amin(0)
@@ -99,7 +99,7 @@ class Pose:
         return at
 
     def field(self, known: Field) -> Field:
-        """The areas in the pose, from those in the rest pose."""
+        """Areas in the pose, from those in the rest pose."""
         posed = self.distances(in_one(known))
 
         def at(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " n"], Float[Tensor, "n a"]]:
@@ -109,7 +109,7 @@ class Pose:
         return at
 
     def heights(self, rest: AreaFields) -> Heights:
-        """How far the surface of the areas stands out in the pose, from those in the rest pose."""
+        """Heights of the areas in the pose, from those in the rest pose."""
         known = in_one(rest.near)
 
         def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
@@ -123,11 +123,11 @@ class Pose:
         return at
 
     def bone_at(self, known: Distances, points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
-        """Whose surface each point of the posed thing is on."""
+        """The bone whose surface each point of the posed thing is on."""
         return torch.stack([one.amin(1) for one in self._each(known, points)], 1).argmin(1)
 
     def _each(self, known: Distances, points: Float[Tensor, "n 3"]) -> list[Tensor]:
-        """The distances from what each bone has."""
+        """The distances from each bone's parts."""
         found = []
         for bone in self.bones:
             rest = bone.place.into(points)
@@ -150,11 +150,11 @@ class PosedParts(KnownParts):
 
     @cached_property
     def pieces(self) -> list[Piece]:
-        """What each bone has of each, as it is in the rest pose."""
+        """Each piece's fraction in each bone, in the rest pose."""
         return [self.rest.pieces[index] for index, _ in self._cut]
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
-        """What a bone has of a piece's surface."""
+        """A bone's part of a piece's surface."""
         return self._of_bone(*self._cut[index], exact)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
@@ -163,7 +163,7 @@ class PosedParts(KnownParts):
 
     @cached_property
     def _cut(self) -> list[tuple[int, int]]:
-        """The pieces, and the bones that have some of each."""
+        """The pieces and their bones."""
         bones = range(len(self.pose.bones))
         pairs = [(k, bone) for k in range(len(self.rest.pieces)) for bone in bones]
         return [pair for pair in pairs if len(self._of_bone(*pair, exact=True)[1])]
@@ -185,15 +185,15 @@ class Posed:
         self.words, self.solid = rest.words, rest.solid
 
     def of_object(self, seed: int) -> Thing:
-        """Another one, in its rest pose."""
+        """A new object in its rest pose."""
         return self.rest.of_object(seed)
 
     def with_solid(self, solid: Solid) -> Thing:
-        """The same of another solid, in its rest pose."""
+        """The same with another solid, in its rest pose."""
         return self.rest.with_solid(solid)
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> Thing:
-        """In a guide's proportions, which has a pose of its own."""
+        """In the proportions of a guide, which has a pose of its own."""
         return self.rest.in_proportion(guide, strength, least)
 
     def start_shape(self) -> Shape | None:
@@ -249,7 +249,7 @@ class Posed:
         cond_only: bool = False,
         apart: bool = False,
     ) -> Predictions:
-        """Each place as it is seen in the rest pose."""
+        """Each place as seen in the rest pose."""
         parts = self.rest.parts()
         if views.surface is not None and parts is not None:
             views = Views(views.cameras, self._at_rest(views.surface, parts))
@@ -258,7 +258,7 @@ class Posed:
     def _at_rest(
         self, surface: Float[Tensor, "b 7 s s"], parts: KnownParts
     ) -> Float[Tensor, "b 7 s s"]:
-        """The pictures' normals and points, each as its bone has them in the rest pose."""
+        """The pictures' normals and points in the rest pose of their bones."""
         seen, points = points_of(surface)
         owner = torch.zeros_like(seen, dtype=torch.long)
         owner[seen] = self.pose.bone_at(parts.distances, points[seen])
@@ -270,7 +270,7 @@ class Posed:
 
 
 def in_one(field: Field) -> Distances:
-    """A field's distance, then how far out of each area."""
+    """A field's distance and distances from each area."""
 
     def at(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n a"]:
         distance, depths = field(points)
@@ -282,14 +282,14 @@ def in_one(field: Field) -> Distances:
 def points_of(
     surface: Float[Tensor, "b 7 s s"],
 ) -> tuple[Bool[Tensor, "b s s"], Float[Tensor, "b s s 3"]]:
-    """Where the pictures show something, and its points."""
+    """A mask of the object in the pictures, and its points."""
     covered = (surface[:, 3] + 1) / 2
     points = surface[:, 4:] / covered[:, None].clamp_min(1e-3)
     return surface[:, 3] > -1, points.permute(0, 2, 3, 1)
 
 
 def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tensor, "b 7 s s"]:
-    """The pictures' normals and points as the thing at a placement knows them."""
+    """The pictures' normals and points in the coordinates of a placed thing."""
     rows = surface.permute(0, 2, 3, 1)
     normals, mask, points = rows[..., :3], rows[..., 3:4], rows[..., 4:]
     turn, shift = place.turn.to(surface), place.shift.to(surface)
@@ -300,5 +300,5 @@ def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tens
 def joint(
     at: Float[Tensor, " 3"], turn: Float[Tensor, "3 3"], to: Float[Tensor, " 3"]
 ) -> Placement:
-    """Turned about a joint of the rest pose, which comes to lie at ``to``."""
+    """A rotation about a joint of the rest pose, which is moved to ``to``."""
     return Placement(1.0, to - turn @ at, turn)

@@ -25,39 +25,39 @@ from core.guidance.builtin.words.companion_words import (
 from core.guidance.builtin.words.living import is_animal
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
-FOOT = 0.08  # of a thing's height: what is lower stands on something
-OVER = 0.45  # of a support's half width, at most, that a foot is taken to be wide
-PLACES = 9  # along a side, that a thing may be put
-# Of a thing's feet: the share that is over ground, at least, if it is to stand there; that touches.
+FOOT = 0.08  # of a thing's height: lower parts are its feet
+OVER = 0.45  # of a support's half width: most width of a foot
+PLACES = 9  # places to try along a side
+# Of a thing's feet: least fraction over ground for it to stand there; fraction that touches.
 STANDING, TOUCHING = 0.3, 0.3
 LEVEL = 0.8  # quantile of the heights under a foot that it rests on
-# What a place costs: for each unit of height by which the ground under the foot differs; for each
-# share of the foot without ground; for each unit off the middle; for what stands in the way.
+# Cost of a place: for each unit of height by which the ground under the foot differs; for the
+# fraction of the foot without ground; for each unit off the middle; for obstacles.
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
 FILLED, HEAPED = 0.78, 0.4  # of a container's width; of a heap's height, what is over the rim
-DEPTH = 0.55  # of a container's height, that a heap is in it at most: it narrows below
+DEPTH = 0.55  # of a container's height: most depth of a heap in it, as it narrows below
 OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps"
 SEAT = 0.8  # off the middle of what one sits in
-SUNK = 0.02  # training units, by which what rests goes into what is under it
+SUNK = 0.02  # training units: overlap with the support
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
 IN = 0.45  # of the lower one's height: how deep a thing is in another
-ROOM = 1.1  # of a thing's lower half, that a container is at least wide
+ROOM = 1.1  # of a thing's lower half: least width of a container
 NEIGHBOUR, TOUCHING_SIDES = (0.3, 2.5), 0.02
-WIDEST = 0.7  # of what bears a thing, that it is at most wide
-# Of the other's longest side: the least and the most that one's may be.
+WIDEST = 0.7  # of the carrier: most width of a thing on it
+# Of the other's longest side: least and most of a thing's.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
-DECKS = {*GROUPS["Vehicles"], "sled"}  # what is in these is on them
+DECKS = {*GROUPS["Vehicles"], "sled"}  # things in these are on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
-TALL = 1.5  # times as high as wide: what lies down of what is put down
-PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # nothing stands on these
+TALL = 1.5  # times as high as wide: laid down from here on
+PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
-STONE, STUCK = (0.4, 1.6), 0.3  # of what is stuck: the other's size; how deep
+STONE, STUCK = (0.4, 1.6), 0.3  # of a stuck thing: the other's size; its depth
 POINT_DOWN = torch.tensor([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
 
 
 def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
-    """Where the support of ``thing`` is, with what a unit off its middle costs."""
+    """The placement of a support below ``thing``; with the cost of a unit off its middle."""
     foods = FOOD if {thing.words.noun, support.words.noun} <= EDIBLE else SUPPORT
     sizes = MOUNT if _is_mount(support) else foods
     turn = _levelled(thing, support)
@@ -69,7 +69,8 @@ def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placeme
 
 
 def within(thing: Body, other: Body) -> Placement:
-    """Where that is which ``thing`` is in: with its point, as one of a heap, or by itself."""
+    """The placement of a container around ``thing``: with its point in it, as one of a heap, or by
+    itself."""
     if is_stuck(thing, other):
         return pierced(thing, other)
     if other.words.noun in CONTAINERS and is_heap(thing):
@@ -78,7 +79,7 @@ def within(thing: Body, other: Body) -> Placement:
 
 
 def around(thing: Body, container: Body) -> Placement:
-    """Where the container of ``thing`` is."""
+    """The placement of a container around ``thing``."""
     if container.words.noun in DECKS:  # or its seats
         place = under(thing, container, SEAT)
         return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
@@ -94,8 +95,7 @@ def around(thing: Body, container: Body) -> Placement:
 
 
 def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placement:
-    """Where ``thing`` is that stands beside the other, at the end of a row with it, which it
-    touches."""
+    """The placement of ``thing`` next to the other, at the end of a row with it, touching it."""
     place = Placement.of(sized(thing, other, *NEIGHBOUR))
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
@@ -112,7 +112,7 @@ def is_stuck(thing: Body, other: Body) -> bool:
 
 
 def pierced(thing: Body, other: Body) -> Placement:
-    """Where that is in which ``thing``, its point down, is stuck."""
+    """The placement of a thing in which ``thing`` is stuck, point down."""
     place = Placement.of(sized(other, thing, *STONE))
     spot = spot_on(thing, other.placed(place))
     deep = torch.tensor([0.0, 0.0, STUCK * float(thing.sides[2])])
@@ -120,8 +120,8 @@ def pierced(thing: Body, other: Body) -> Placement:
 
 
 def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
-    """Where ``thing`` is that the carrier bears on top of itself, or has in itself; of several it
-    has to fit between the carrier's nearer sides."""
+    """The placement of ``thing`` on top of the carrier or in it; one of several has to fit between
+    the carrier's nearer sides."""
     if is_stuck(thing, carrier):
         place = Placement.of(sized(thing, carrier, *BORNE), POINT_DOWN)
         borne = thing.placed(place)
@@ -144,22 +144,22 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
 
 
 def _lying(thing: Body) -> Float[Tensor, "3 3"]:
-    """The turn of what is put down and does not stand: a sword on a table."""
+    """The rotation of a thing that is put down and does not stand: a sword on a table."""
     return laid_down(thing, TALL) if thing.words.noun in PUT_DOWN else torch.eye(3)
 
 
 def is_bunch(thing: Body) -> bool:
-    """Whether it is several flowers, whose stems are together."""
+    """Whether it is several flowers with their stems together."""
     return thing.words.count > 1 and thing.words.noun in FLOWERS
 
 
 def is_heap(thing: Body) -> bool:
-    """Whether it is several that lie as they come."""
+    """Whether it is several things in a heap."""
     return thing.words.count > 1 and not is_bunch(thing)
 
 
 def _filling(heap: Body, container: Body) -> Placement:
-    """Where a heap is that fills a container to above its rim."""
+    """The placement of a heap that fills a container to above its rim."""
     wide = FILLED * float((_opening(container)[1][:2] / heap.sides[:2]).min())
     place = Placement.of(wide)
     there = heap.placed(place)
@@ -183,7 +183,7 @@ def _rides(thing: Body, support: Body) -> bool:
 
 
 def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
-    """The turn of what is under a thing: a board lies flat, and along the thing."""
+    """The rotation of a thing's support: a board is flat, and along the thing."""
     turn = torch.eye(3)
     flat = support.words.noun in LYING and support.sides[2] > support.sides[:2].min()
     if flat:
@@ -196,7 +196,7 @@ def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
 
 
 def _foot(thing: Body) -> Float[Tensor, " 3"]:
-    """The middle of what a thing stands on."""
+    """The middle of the part that a thing stands on."""
     feet = _feet(thing)
     return torch.cat([(feet.amin(0) + feet.amax(0))[:2] / 2, thing.box[0, 2:]])
 
@@ -206,7 +206,7 @@ def _feet(thing: Body) -> Float[Tensor, "n 3"]:
 
 
 def _opening(container: Body) -> tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]:
-    """The middle of what a container is open at, and the sides of its box without handles."""
+    """The middle of a container's opening, and the sides of its box without handles."""
     body = container.without(*OVER_THE_RIM)
     low, high = body.amin(0), body.amax(0)
     return torch.cat([(low + high)[:2] / 2, high[2:]]), high - low
@@ -218,7 +218,7 @@ def _middle_top(body: Body) -> Float[Tensor, " 3"]:
 
 
 def spot_on(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Float[Tensor, " 3"]:
-    """Where on the support the thing stands best: level, wide enough, near the middle."""
+    """The best place for the thing on the support: level, wide enough, near the middle."""
     heights = height_map(support)
     low, sides = support.box[0], support.sides
     cell = sides[:2] / CELLS
@@ -247,8 +247,8 @@ def spot_on(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Float
 def _clearance(
     thing: Body, spot: Float[Tensor, " 3"], support: Body, heights: Float[Tensor, "c c"]
 ) -> float:
-    """How far above the ground most of a thing's feet are, when it is put at a spot: of a bulging
-    cushion the middle is higher than what is under a cat's feet."""
+    """How far most of a thing's feet are above the ground at a spot: the middle of a bulging
+    cushion is higher than the places below a cat's feet."""
     foot = _feet(thing) - _foot(thing) + spot
     cell = support.sides[:2] / CELLS
     i, j = ((foot[:, :2] - support.box[0, :2]) / cell).long().T
@@ -263,8 +263,8 @@ def _clearance(
 def _ground(
     heights: Float[Tensor, "c c"], at: Float[Tensor, " 2"], half: Float[Tensor, " 2"]
 ) -> tuple[bool, float, float]:
-    """Whether there is ground in a window, at what height a foot rests there, and what is to be
-    said against it."""
+    """Whether there is ground in a window, the height at which a foot rests there, and the cost of
+    the place."""
     window = _window(heights, at, half)
     known = window[~window.isnan()]
     if not len(known):
@@ -284,7 +284,7 @@ def _window(
 
 
 def height_map(body: Body) -> Float[Tensor, "c c"]:
-    """The highest point of the surface over each cell of the box, by x and y; NaN where none is."""
+    """The highest point of the surface over each cell of the box, by x and y; NaN without one."""
     points = sample_surface(body.verts, body.faces, SAMPLES, torch.Generator().manual_seed(0))
     heights = highest(points, body.box[0, :2], body.sides[:2].clamp_min(1e-6), CELLS)
     return heights.masked_fill(heights.isinf(), torch.nan)
@@ -293,7 +293,7 @@ def height_map(body: Body) -> Float[Tensor, "c c"]:
 def highest(
     points: Float[Tensor, "n 3"], low: Float[Tensor, " 2"], sides: Float[Tensor, " 2"], cells: int
 ) -> Float[Tensor, "c c"]:
-    """The greatest z over each cell of a rectangle; minus infinity where no point is."""
+    """The greatest z over each cell of a rectangle; minus infinity without points."""
     i, j = cells_of(points, low, sides, cells).T
     heights = torch.full((cells * cells,), -torch.inf)
     return heights.scatter_reduce(0, i * cells + j, points[:, 2], "amax").view(cells, cells)
@@ -302,5 +302,5 @@ def highest(
 def cells_of(
     points: Float[Tensor, "n 3"], low: Float[Tensor, " 2"], sides: Float[Tensor, " 2"], cells: int
 ) -> Int[Tensor, "n 2"]:
-    """The cell of a rectangle that each point is over, or the nearest."""
+    """The cell of a rectangle below each point, or the nearest."""
     return ((points[:, :2] - low) / sides * cells).long().clamp(0, cells - 1)

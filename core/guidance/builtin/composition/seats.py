@@ -1,4 +1,4 @@
-"""Where that lies which somebody sits on or rides, and how their legs are there."""
+"""Placements of seats and mounts, and the pose of the legs on them."""
 
 import math
 from dataclasses import replace
@@ -25,17 +25,17 @@ SADDLES = ("saddle", "seat", "seats")
 # Something is over or around their seats.
 HIDDEN = ("swing", "toilet", "wheelchair", "go-kart", "high chair")
 APART = 0.02  # training units off the middle: two seats
-# What stands out of a mount, and is not between the legs.
+# Parts that stand out of a mount and are not between the legs.
 ASIDE = tuple("wings ears horns antlers mane tail arms mirrors handlebars handlebar".split())
-SEAT_SIZES = (0.5, 1.3)  # of the figure's height, the longest side of what it sits on
-DECKS = (0.8, 2.0)  # the same of what it sits in
-# In robes to the ground, or with a tail: of their height, where a seat is; of their depth, what is
-# before it; of their width, what of a seat is looked at.
+SEAT_SIZES = (0.5, 1.3)  # of the figure's height: the longest side of its seat
+DECKS = (0.8, 2.0)  # the same for a vehicle
+# In robes to the ground, or with a tail: of the height, the seat's place; of the depth, the part in
+# front of it; of the width, the searched part of a seat.
 HIPS, LAP, ROBE = 0.26, 0.45, 0.4
 DEEP_IN = 0.12  # of the figure's height: how deep one sits in a car
 ROOF = "roof"
 STEP = 0.12  # training units: where a seat ends or something is on it
-PELVIS = 0.7  # of its depth, that is on the seat at least
+PELVIS = 0.7  # of its depth: least part on the seat
 BACKMOST = 0.98  # quantile of a pelvis's depth
 FLAT, SPREAD = math.radians(87), math.radians(8)  # sitting: thighs from the vertical; apart
 DOLL = math.radians(14)  # how far apart straight legs are
@@ -51,7 +51,7 @@ GROUND = 0.02  # training units
 
 
 class Seat(NamedTuple):
-    """Where what bears somebody lies, and how the legs are."""
+    """The placement of the seat or mount, and the pose of the legs."""
 
     place: Placement
     thigh: tuple[float, float]  # forward from the vertical, and outwards; radians
@@ -59,7 +59,7 @@ class Seat(NamedTuple):
 
 
 def trunk_of(body: Body, legs: Legs) -> Body:
-    """What does not bend: all above the crotch."""
+    """The part that does not bend: all above the crotch."""
     above = body.verts[:, 2] >= legs.crotch
     none = body.faces[:0]
     return replace(body, verts=body.verts[above], part=body.part[above], faces=none)
@@ -74,7 +74,7 @@ def sat_on(trunk: Body, first: Body, support: Body, legs: Legs) -> Seat:
 
 
 def sunk_before(first: Body, support: Body) -> Placement:
-    """A seat in which the robe of who has no legs to bend is sunk, but for its front."""
+    """A seat into which the robe of a figure without legs to bend is sunk, except for its front."""
     place = Placement.of(sized(support, first, *SEAT_SIZES))
     below = support.placed(place)
     spot = spot_on(first, below)
@@ -87,7 +87,7 @@ def sunk_before(first: Body, support: Body) -> Placement:
 
 
 def sat_in(trunk: Body, first: Body, support: Body, legs: Legs) -> Seat:
-    """With straight legs, on the deck or the seats of what carries one, below its roof."""
+    """With straight legs, on the deck or the seats of a vehicle, below its roof."""
     place = Placement.of(sized(support, first, *DECKS))
     below = support.placed(place)
     deep = DEEP_IN * float(first.sides[2])
@@ -104,7 +104,7 @@ def sat_in(trunk: Body, first: Body, support: Body, legs: Legs) -> Seat:
 
 
 def _cushion(seat: Body) -> Float[Tensor, " 3"]:
-    """The middle of a seat before its back."""
+    """The middle of a seat in front of its back."""
     x, half = float(seat.box.mean(0)[0]), float(seat.sides[0]) / 4
     rows = _rows(seat, x, half)
     low = rows.z[~rows.z.isnan()].amin()
@@ -112,7 +112,7 @@ def _cushion(seat: Body) -> Float[Tensor, " 3"]:
 
 
 def _only(body: Body, *names: str) -> Body:
-    """What a body has of such parts, on one side where there is one on each; or all of it."""
+    """The points of such parts, on one side if there is one on each; otherwise all points."""
     mine = body.among(*names)
     beside = body.verts[:, 0] < 0
     mine = mine & beside if (body.verts[mine][:, 0].abs() > APART).all() else mine
@@ -120,7 +120,7 @@ def _only(body: Body, *names: str) -> Body:
 
 
 def _kept(body: Body, mine: Bool[Tensor, " v"]) -> Body:
-    """What a body has of such points, or all of it."""
+    """The points under the mask, or all points without any."""
     faces = body.faces[mine[body.faces].all(1)]
     if not len(faces):
         return body
@@ -164,19 +164,19 @@ def _sitting(
 
 
 def _tilt(length: float, drop: float) -> float:
-    """How far forward a shin goes, so that its foot is above the ground."""
+    """How far forward a shin goes so that its foot is above the ground."""
     return math.acos(min(max(drop / length, 0.0), 1.0))
 
 
 class _Rows(NamedTuple):
-    """The heights of what bears somebody, along y."""
+    """Heights of the seat or mount along y."""
 
     y: Float[Tensor, " c"]
     z: Float[Tensor, " c"]  # NaN where nothing is
 
     def seat(self, at: float, rest: float) -> tuple[float, float]:
-        """The front and the back end of the seat around a place: where it falls off, or where
-        something stands on it."""
+        """The front and the back end of the seat around a place: where it drops, or where something
+        is on it."""
         middle = int((self.y - at).abs().argmin())
         level = (self.z - rest).abs() < STEP
         low = high = middle
@@ -188,12 +188,12 @@ class _Rows(NamedTuple):
         return float(self.y[low]) - half, float(self.y[high]) + half
 
     def open_before(self, front: float, rest: float) -> bool:
-        """Whether nothing stands before the seat."""
+        """Whether nothing is in front of the seat."""
         before = self.z[self.y < front]
         return not bool((before > rest + STEP).any())
 
     def height(self, at: float, half: float, otherwise: float) -> float:
-        """Of the seat under a pelvis."""
+        """The seat's height below a pelvis."""
         under = self.z[(self.y - at).abs() < half]
         under = under[~under.isnan() & ((under - otherwise).abs() < STEP)]
         return float(under.median()) if len(under) else otherwise
@@ -221,7 +221,7 @@ def _on_back(mount: Body, half: float) -> Float[Tensor, " 3"]:
 
 
 def ridden(first: Body, support: Body, legs: Legs) -> Seat:
-    """Astride, the thighs around what is ridden, or on top of it where it is too broad."""
+    """Astride, the thighs around the mount, or on top of one that is too broad."""
     place = Placement.of(sized(support, first, *MOUNT))
     below = support.placed(place)
     saddle = below.of_parts(*SADDLES)

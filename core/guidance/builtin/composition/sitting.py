@@ -1,4 +1,4 @@
-"""Somebody who sits on something or rides it: whether they do, and their pose."""
+"""Figures that sit on something or ride it: whether they do, and their pose."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -38,7 +38,7 @@ ON_FEET = frozenset(
     balancing balanced surfing skating skateboarding snowboarding posing kneeling lying lies laid
     sleeping sleeps asleep climbing fighting hopping landing""".split()
 )
-# What one sits on without a word of it; what one stands on, if it is not said that one sits.
+# Things to sit on by default; things to stand on unless sitting is stated.
 ALSO_SEATS = SEATS | {"bench", "stool", "ottoman", "toilet"}
 BOARDS = LYING | {"sled", "raft", "treadmill", "trampoline"}
 ALSO_MOUNTS = MOUNTS | {"jet ski", "snowmobile", "kick scooter", "griffin", "centaur", "pegasus"}
@@ -56,7 +56,7 @@ CLOTHED, PADDED = 0.09, 0.04
 
 
 def posture_of(verb: str, relation: Relation, noun: str) -> Posture:
-    """How one is on or in such a thing, as far as legs go."""
+    """The posture on or in such a thing, as far as legs are concerned."""
     vehicle = noun in GROUPS["Vehicles"] and noun not in BOARDS
     if relation not in ("on", "in") or verb in ON_FEET or (relation == "in" and not vehicle):
         return ""
@@ -70,8 +70,8 @@ def posture_of(verb: str, relation: Relation, noun: str) -> Posture:
 def seated(
     drawn: Sequence[Thing], bodies: Sequence[Body], relations: Sequence[Relation]
 ) -> tuple[list[Thing], list[Body]]:
-    """The drawn things of a composition, of which the first sits or rides, if it does that and has
-    legs; with its clothes."""
+    """The drawn things of a composition with the first one seated or riding, if it does that and
+    has legs; with its clothes."""
     things, found = list(drawn), list(bodies)
     first, parts = bodies[0], drawn[0].parts()
     worn = [k for k, relation in enumerate(relations, 1) if relation == "wears"]
@@ -106,7 +106,7 @@ def seated(
 def _seat(
     posture: Posture, relation: Relation, first: Body, support: Body, legs: Legs
 ) -> Seat | None:
-    """On what bears it; None where several would ride one mount."""
+    """The seat on its carrier; None where several would ride one mount."""
     each = support.words.count == first.words.count
     if posture == "rides":
         return ridden(first, support, legs) if each else None
@@ -116,7 +116,7 @@ def _seat(
 
 
 def posed(legs: Legs, seat: Seat, distances: Distances) -> tuple[Pose, Pose]:
-    """The pose in which both legs are as they are on the seat; that of what is worn on them."""
+    """The pose with both legs as on the seat, also for garments on them."""
     way = _turn(seat.thigh, 1) @ torch.tensor([0.0, 0.0, -1.0])
     out = _way_out(legs, _above(_boxes(legs)), way, distances)
     return _bent(legs, seat, out, 0.0, 0.0), _bent(legs, seat, out, CLOTHED, PADDED)
@@ -129,19 +129,19 @@ def _farther(
 
 
 def _boxes(legs: Legs, beyond: float = 0.0) -> list[tuple[Tensor, Tensor]]:
-    """Around each leg, and so far beyond it, but not up, or across the middle."""
+    """Boxes around each leg and ``beyond`` it, but not upwards or across the middle."""
     wider = torch.tensor([[0.0, -beyond, -beyond], [beyond, beyond, 0.0]])
     return [_mirrored(legs.box + wider, side) for side in (1, -1)]
 
 
 def _above(boxes: list[tuple[Tensor, Tensor]]) -> Bone:
-    """The trunk, which has all that is not in the boxes."""
+    """The trunk: all outside the boxes."""
     return Bone(tuple(Region((low, high)) for low, high in boxes), Placement.of(), within=False)
 
 
 def _bent(legs: Legs, seat: Seat, out: float, beyond: float, padded: float) -> Pose:
-    """The pose of what goes so far beyond the legs, and around their joints; ``out``: how far they
-    are moved along themselves."""
+    """The pose of a part that extends so far beyond the legs and around their joints; ``out``: how
+    far they are moved along themselves."""
     boxes = _boxes(legs, beyond)
     around, bones = legs.radius + padded, [_above(boxes)]
     for side, (low, high) in zip((1, -1), boxes, strict=True):
@@ -173,13 +173,13 @@ def _mirrored(
 
 
 def _turn(angles: tuple[float, float], side: int) -> Float[Tensor, "3 3"]:
-    """Forward from the vertical, then outwards."""
+    """A rotation forward from the vertical, then outwards."""
     forward, outwards = angles
     return about_z(side * outwards) @ about_x(-forward)
 
 
 def _way_out(legs: Legs, trunk: Bone, way: Float[Tensor, " 3"], distances: Distances) -> float:
-    """How far a leg is moved along itself, so that it is not lost in a coat."""
+    """How far a leg is moved along itself, so that it is not hidden in a coat."""
     far = torch.linspace(0, FARTHEST * legs.radius, STEPS)
     points = legs.hip + far[:, None] * way
     inside = torch.maximum(distances(points).amin(1), trunk.gap(points)) < 0

@@ -23,7 +23,7 @@ class Thing(Protocol):
     solid: Solid | None
 
     def of_object(self, seed: int) -> "Thing":
-        """See :class:`PromptedGuidance`, as of all that follow."""
+        """See :class:`PromptedGuidance`, also for all that follow."""
         ...
 
     def with_solid(self, solid: Solid) -> "Thing":
@@ -31,7 +31,7 @@ class Thing(Protocol):
         ...
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Thing":
-        """In a guide's proportions."""
+        """In the proportions of a guide."""
         ...
 
     def start_shape(self) -> Shape | None:
@@ -39,11 +39,11 @@ class Thing(Protocol):
         ...
 
     def parts(self) -> KnownParts | None:
-        """The drawn solid's."""
+        """The parts of the drawn solid."""
         ...
 
     def area_fields(self) -> AreaFields | None:
-        """Its areas, and what is meant by each."""
+        """Its areas in space."""
         ...
 
     def areas(self) -> SolidAreas | None:
@@ -51,11 +51,11 @@ class Thing(Protocol):
         ...
 
     def ranges(self) -> MaterialRanges:
-        """Of all its parts."""
+        """The ranges of all its parts."""
         ...
 
     def surfaces(self) -> tuple[Surface, ...]:
-        """Of all its parts."""
+        """The surfaces of all its parts."""
         ...
 
     def left_out(self) -> tuple[str, ...]:
@@ -65,7 +65,7 @@ class Thing(Protocol):
     def restore(
         self, pictures: Float[Tensor, "b 4 s s"], views: Views
     ) -> Float[Tensor, "b 4 s s"] | None:
-        """Pictures of the thing made crisp."""
+        """Crisp pictures of the thing."""
         ...
 
     def predict(
@@ -77,5 +77,5 @@ class Thing(Protocol):
         cond_only: bool = False,
         apart: bool = False,
     ) -> Predictions:
-        """Of pictures of the thing."""
+        """The predictions for pictures of the thing."""
         ...

@@ -1,4 +1,4 @@
-"""What is worn on a head, over the eyes or around the neck."""
+"""Placements of things worn on a head, over the eyes or around the neck."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -22,15 +22,15 @@ from core.guidance.builtin.words.companion_words import (
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.builtin.words.slots import Words
 
-IN_HAND = {"knight": "shield"}  # in the hand that would hold something else
-OWN_HATS = "hat", "crown", "helmet"  # parts, which a thing takes off for another one
-# What stands out of a head and is not part of its width.
+IN_HAND = {"knight": "shield"}  # in the hand that holds something else
+OWN_HATS = "hat", "crown", "helmet"  # parts that another one replaces
+# Parts that stand out of a head and do not count in its width.
 NO_HEAD = tuple(
     """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
     arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem
     leaves claws legs limbs""".split()
 )
-AT_ITS_SIDES = "horns", "sockets"  # what stands out of a hat
+AT_ITS_SIDES = "horns", "sockets"  # parts that stand out of a hat
 MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
 # Of the head's width below the eyes: where the neck is, at least; and how far on; how low a
 # face may reach.
@@ -61,18 +61,18 @@ SUNK = 0.02
 
 
 class Head(NamedTuple):
-    """Where a head is, as a ball about."""
+    """A head as a ball."""
 
     middle: Float[Tensor, " 3"]
     wide: float
     top: float
-    front: float  # y of what is foremost of the eyes
+    front: float  # y of the foremost eye
     eyes: float  # z
     brow: float  # z, above the eyes
 
 
 def worn(item: Body, wearer: Body) -> Placement:
-    """Where what is worn is."""
+    """The placement of a worn thing."""
     noun = item.words.noun
     if noun in CLOTHING:  # it is cut to the wearer
         return Placement.of()
@@ -84,7 +84,7 @@ def worn(item: Body, wearer: Body) -> Placement:
         place = Placement.of(by * head.wide / float(item.sides[0]))
         there = item.placed(place)
         middle = there.box.mean(0)
-        # Glasses have sides that go on behind; the others stand out.
+        # Glasses have sides that extend to the back; the others stand out.
         out = SUNK if noun in GLASSES_LIKE else OUT * float(there.sides[1])
         at = torch.tensor([head.middle[0], head.front - out, head.eyes])
         return place.moved(at - torch.stack([middle[0], there.box[0, 1], middle[2]]))
@@ -96,7 +96,7 @@ def worn(item: Body, wearer: Body) -> Placement:
 
 
 def _on_head(hat: Body, head: Head) -> Placement:
-    low, high = (float(hat.box[0, 2] + share * hat.sides[2]) for share in BAND)
+    low, high = (float(hat.box[0, 2] + fraction * hat.sides[2]) for fraction in BAND)
     verts = hat.without(*AT_ITS_SIDES)
     band = verts[(verts[:, 2] > low) & (verts[:, 2] < high)]
     crown = float(band[:, 0].amax() - band[:, 0].amin()) if len(band) else float(hat.sides[0])
@@ -113,8 +113,8 @@ def _on_head(hat: Body, head: Head) -> Placement:
 
 
 def _at_neck(item: Body, wearer: Body, head: Head) -> Placement:
-    """A necklace around the narrowest place below the head, a bow tie before it, what hangs down
-    from there before the chest."""
+    """A necklace around the narrowest place below the head, a bow tie in front of it, a pendant in
+    front of the chest."""
     neck = neck_of(wearer, head)
     if item.words.noun in HANGING:
         return _before_chest(item, wearer, head, neck)
@@ -155,7 +155,7 @@ def _over_ears(item: Body, head: Head) -> Placement:
 
 
 class Neck(NamedTuple):
-    """Where a neck is."""
+    """The place of a neck."""
 
     middle: Float[Tensor, " 3"]
     wide: float
@@ -209,7 +209,7 @@ def _on_back(pack: Body, wearer: Body, head: Head) -> Placement:
 
 
 def head_of(body: Body) -> Head:
-    """The head by the eyes; of what has none the top."""
+    """The head around the eyes; without eyes the top."""
     eyes = body.of_parts(*EYES)
     own = body.of_parts("head")
     rest = own if len(own) and len(eyes) else body.without(*NO_HEAD)
@@ -247,15 +247,15 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
     top = float(rest[:, 2].amax())
     high = rest[rest[:, 2] > top - TOP * float(body.sides[2])]
     middle = (high.amin(0) + high.amax(0)) / 2
-    least, most = (share * body.sides[:2] for share in CAPPED)
+    least, most = (fraction * body.sides[:2] for fraction in CAPPED)
     wide = float((high.amax(0) - high.amin(0))[:2].maximum(least).minimum(most).min())
     eyes = top - 0.4 * wide
     return Head(middle, wide, top, float(high[:, 1].amin()), eyes, eyes)
 
 
 def freed(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
-    """``words`` without a hat of the thing's own, where it wears another, and without what is in
-    the hand that holds something else."""
+    """``words`` without a hat of the thing's own, where it wears another, and without the thing in
+    a hand that holds something else."""
     does = [(how, other.noun in HEADWEAR) for how, other in relations]
     gone = OWN_HATS if ("wears", True) in does else ()
     gone = (*gone, IN_HAND.get(words.noun, "")) if "holds" in dict(does) else gone

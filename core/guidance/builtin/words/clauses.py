@@ -27,7 +27,7 @@ EITHER = ("or", "nor")
 VERY = "is really very so super quite just".split()
 # Behind these and "not" what is denied goes on: "does not have wheels", "not made of wood".
 HAVING = (*"have has made of from in it make want".split(), *MADE)
-NOT_SAID = "nothing else is said in its place"
+NOT_GIVEN = "nothing else is given in its place"
 # What a size before them is of: "a big eyed owl".
 OF_PARTS = "eyed eared nosed headed footed legged handed tailed toothed bellied".split()
 STONES = ("stone", "rock")
@@ -164,7 +164,7 @@ class Clauses:
     def _leave_what_it_is_not(self) -> None:
         """ "A chair, not wooden", "a not red apple"."""
         if self._without and (forms := self._looks_before()):
-            self.got.leave_aside(["not", *forms], NOT_SAID)
+            self.got.leave_aside(["not", *forms], NOT_GIVEN)
 
     def _go_with(self, word: str) -> None:
         """``word`` begins a phrase about what goes with the thing."""

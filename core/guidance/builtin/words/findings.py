@@ -18,7 +18,7 @@ from core.guidance.builtin.words.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
 MANY_LEGS = "four legs"  # where several are meant and none is counted
-NOT_APART = "that is no part by itself here"
+NOT_APART = "that is not a separate part here"
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
 
 
@@ -150,9 +150,9 @@ class Findings:
             if token not in (*looks, *nouns, *counts)
         ]
         notes = {
-            f"{', '.join(map(repr, looks))}: left out with what is not known beside it.": looks,
+            f"{', '.join(map(repr, looks))}: left out with the unknown words next to it.": looks,
             f"{', '.join(map(repr, things))}: left out, as one thing is made at a time.": things,
-            f"{', '.join(map(repr, said))}: left out, as nothing is drawn of it.": said,
+            f"{', '.join(map(repr, said))}: left out, as it is not drawn.": said,
             f"{', '.join(map(repr, counts))}: left out, as parts are not counted.": counts,
             f"The built-in model does not know {', '.join(unknown)}: left out.": unknown,
         }

@@ -7,7 +7,7 @@ black bird.
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.substances import natural_kind
 from core.guidance.builtin.words.accents import StatedPart
-from core.guidance.builtin.words.clauses import NOT_SAID, Clauses
+from core.guidance.builtin.words.clauses import NOT_GIVEN, Clauses
 from core.guidance.builtin.words.colors import CALLED_SHADES, TASTES, shade
 from core.guidance.builtin.words.findings import with_article
 from core.guidance.builtin.words.kinds import TABBY, TABBY_STRIPES, look_of_kind
@@ -124,7 +124,7 @@ class Likeness(Clauses):
     def _take_toy(self, form: str) -> None:
         """It is as small as a hand can hold."""
         if self._without:
-            self.got.leave_aside(["not", form], NOT_SAID)
+            self.got.leave_aside(["not", form], NOT_GIVEN)
             return
         self.got.is_toy = True
         size, _ = usual(self.got.thing, kind_size=self.got.kind_size())
@@ -227,4 +227,4 @@ class Likeness(Clauses):
         weather = self.got.found["weather"]
         for one in [one for one in weather if one.form in AGES]:
             weather.remove(one)
-            self.got.leave_aside([one.form], "what is alive is not worn")
+            self.got.leave_aside([one.form], "living things are not worn")

@@ -211,7 +211,7 @@ def _drop_place(tokens: Tokens, at: int) -> None:
         return
     if (begin := tokens.qualities_begin(at, ("color", "material"))) < at:
         said = " ".join(words[begin : at + 1])
-        tokens.notes.append(f"{said}: left out, as the inside looks as the outside.")
+        tokens.notes.append(f"{said}: left out, as the inside looks like the outside.")
         tokens.cut(begin - (words[begin - 1] in ("with", "and")), at + 1)
 
 

@@ -148,7 +148,7 @@ def _set_beside_color(got: Findings, named: Named, color: Entry) -> None:
         look = (color.word, shade(*color[1:]))
         got.parts += [StatedPart(part, True, part, *look) for part in parts]
         if not parts:
-            got.leave_aside([color.form], "nothing else of it has a colour")
+            got.leave_aside([color.form], "nothing else in it has a colour")
         return
     parts = [] if patterned else parts_beside_color(got.thing, material)
     tone = look_up(TONES.get(material.word, ""), got.known)

@@ -5,7 +5,7 @@ import re
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words.accents import StatedPart
-from core.guidance.builtin.words.clauses import EITHER, NOT_SAID
+from core.guidance.builtin.words.clauses import EITHER, NOT_GIVEN
 from core.guidance.builtin.words.colors import CALLED_SHADES, shade
 from core.guidance.builtin.words.compounds import set_parts_apart
 from core.guidance.builtin.words.contents import set_contents_first
@@ -154,7 +154,7 @@ class Reading(Stature):
         elif token in SIZE_WORDS and at in self._tokens.owners:  # "a giant's club"
             self.got.left_out.append(token)
         elif token in SIZE_WORDS and self._without:
-            self.got.leave_aside(["not", token], NOT_SAID)
+            self.got.leave_aside(["not", token], NOT_GIVEN)
             self._without = bool(self.got.found["noun"])  # "a not too big red car"
         elif token in SIZE_WORDS and self._is_its_size(at):
             self.got.size_words.append(token)
@@ -279,7 +279,7 @@ class Reading(Stature):
             self._without = bool(self.got.found["noun"])  # "a not so old wooden chest"
             return
         if slot == "noun" and self._without and self._is_another(end):  # "not a car but a truck"
-            self.got.leave_aside(["not", entry.form], NOT_SAID)
+            self.got.leave_aside(["not", entry.form], NOT_GIVEN)
             self._without = False
             return
         if slot in LOOKS and self._without and self._looks and not self.got.found["noun"]:
