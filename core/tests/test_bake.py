@@ -103,7 +103,7 @@ def test_where_no_border_is_near_a_texel_is_asked_for_once_and_else_at_each_poin
         def of(self, points):
             return (points[:, 0] > 0).long()
 
-        def told(self, points, reach):
+        def certain(self, points, reach):
             assert reach == pytest.approx(footprint(Mesh(*mesh[:2], **uv), 128))
             return self.of(points), points[:, 0] > 0
 

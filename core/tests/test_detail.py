@@ -323,7 +323,7 @@ def test_where_the_areas_are_known_the_colours_do_not_decide():
         def of(self, points):
             return (points[:, 2] > 0).long()
 
-        def told(self, points, reach):
+        def certain(self, points, reach):
             return self.of(points), points[:, 2].abs() > 0.1
 
         def inside(self, points, area):
@@ -358,7 +358,7 @@ class Halves:
     def of(self, points):
         return (points[:, 2] > 0).long()
 
-    def told(self, points, reach):
+    def certain(self, points, reach):
         return self.of(points), points[:, 2].abs() > 0.1
 
     def inside(self, points, area):

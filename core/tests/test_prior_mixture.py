@@ -9,7 +9,7 @@ from core.guidance.builtin.words.lexicon import Entry
 from core.guidance.builtin.words.mixture import (
     SUITED,
     lesser_parts,
-    parts_beside_color,
+    parts_next_to_color,
     parts_of_color,
     parts_of_each,
 )
@@ -273,7 +273,7 @@ def test_something_of_any_thing_is_left_to_the_first_and_the_colour(noun):
         assert set(found) <= set(looks)
     mains = {part for part, look in looks.items() if look[0] in "*&"}
     for one in (WOOD, METAL):
-        assert mains - set(parts_beside_color(noun, one))
+        assert mains - set(parts_next_to_color(noun, one))
         assert not set(lesser_parts(noun, one)) & {p for p in looks if looks[p][0] == "*"}
         assert not set(parts_of_color(noun, one)) & {p for p in looks if looks[p][0] == "*"}
 

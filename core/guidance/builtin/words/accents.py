@@ -1,4 +1,4 @@
-"""What a prompt says of parts alone. Standard library only."""
+"""What a prompt states about parts alone. Standard library only."""
 
 from collections.abc import Collection, Iterable, Iterator
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from core.guidance.builtin.words.part_tables import LEGS
 
 
 class StatedPart(NamedTuple):
-    """A part that a prompt names, and what is right before it."""
+    """A part that a prompt names, with the words right before it."""
 
     name: str
     there: bool
@@ -24,8 +24,7 @@ class StatedPart(NamedTuple):
 
 
 class Accent(NamedTuple):
-    """What a part alone is painted with, or is of, both also as they were written; how it shines;
-    and its pattern."""
+    """The paint and the material of one part, both also as written; its gloss; its pattern."""
 
     part: str
     color: str = ""
@@ -39,7 +38,7 @@ class Accent(NamedTuple):
 
 
 OF_BODY = ("spout", "handle", "dome", "rim", "neck")
-# What is said of a part together.
+# Slots of one part that go together.
 TOGETHER = (
     ("color", "color_form"),
     ("material", "material_form"),
@@ -49,11 +48,11 @@ TOGETHER = (
 
 
 def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], list[str]]:
-    """What is said of each of the noun's parts, once each; and what is said of one that has such
-    a word already: of "beige keys and a red escape key" the red."""
+    """The accents of the noun's parts, once each; and descriptions of a part that already has such
+    a word: for "beige keys and a red escape key" the red."""
     accents: dict[str, Accent] = {}
     again: list[str] = []
-    # What is said of the trim is not of the part of it that something else is said of.
+    # Words for the trim do not apply to the part of it that has words of its own.
     for part in sorted(parts, key=lambda part: is_wide(noun, part.name)):
         if not (part.color or part.material or part.sheen or part.pattern):
             continue
@@ -61,9 +60,9 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
         if part.name in LEGS and not names:  # "three legs made of oak"
             names = own_names(noun, "legs")
         if not names and own_names(noun, part.name):  # all of it is taken
-            said = (part.pattern, part.sheen, part.color_form, part.color)
+            stated = (part.pattern, part.sheen, part.color_form, part.color)
             of = part.material.form if part.material else ""
-            again.append(f"{next(filter(None, (*said, of)))} {part.form}")
+            again.append(f"{next(filter(None, (*stated, of)))} {part.form}")
         for name in names:
             if name not in accents or not is_wide(noun, part.name):
                 accents[name], more = _joined(accents.get(name, Accent(name)), part)
@@ -74,7 +73,8 @@ def accents_of(parts: Iterable[StatedPart], noun: str) -> tuple[list[Accent], li
 
 
 def _like_body(noun: str, accents: Collection[str]) -> Iterator[str]:
-    """What is by nature as the body is, and nothing is said of: a cream teapot's spout."""
+    """Parts that look like the body by nature, without words of their own: a cream teapot's
+    spout."""
     looks = looks_of(noun)
     for name in OF_BODY:
         if name in looks and name not in accents and looks[name][1:] == looks["body"][1:]:
@@ -82,7 +82,8 @@ def _like_body(noun: str, accents: Collection[str]) -> Iterator[str]:
 
 
 def _joined(before: Accent, part: StatedPart) -> tuple[Accent, list[str]]:
-    """What was said of a part first, and what that left open; and what would be its second."""
+    """The first description of a part, completed by the later ones; and what would be its
+    second."""
     word, form = part.material[1:] if part.material else ("", "")
     color, drawn = (part.color, part.color_form), (part.pattern, part.second, part.second_form)
     now = Accent(before.part, *color, word, form, part.sheen, *drawn)

@@ -1,4 +1,4 @@
-"""What people write before what they ask for: "can you make a chair", "my daughter wants a robot",
+"""Introductions before the request: "can you make a chair", "my daughter wants a robot",
 "I'm making a game and need a potion", "it's for a diorama, a small bridge".
 
 Standard library only.
@@ -24,7 +24,7 @@ _OPENERS = (
     r"(?:(?:i|we)(?:[’']?m|[’']?re| am| are) )?(?:looking for|trying to (?:make|get|create)) "
     rf"{_NEXT}",
 )
-# Who it is for or what, and then what it is; neither says a text.
+# For whom or what it is, and then what it is; neither is followed by a text.
 _PURPOSES = (
     r"(?:(?:my|our|the|his|her) )?(?:\w+ ){1,2}?(?:really )?"
     r"(?:wants?|needs?|ask(?:s|ed) for|would (?:like|love))(?: to have)? (?=(?:an?|the|some|one) )",
@@ -41,11 +41,11 @@ _PURPOSE = re.compile(rf"{_GREETING}(?:{'|'.join(_PURPOSES)})", re.IGNORECASE)
 
 
 def asked_for(prompt: str) -> str:
-    """The prompt from where it names what is wanted; "can" is a verb there, and no thing."""
+    """The prompt from the first name of the requested thing; "can" is a verb there, not a thing."""
     if match := _ASKED.match(prompt):
         return prompt[match.end() :]
     match = _PURPOSE.match(prompt)
-    # "A robot needs a hug", "I'm making a chair and want a cushion on it" are about what is first.
+    # "A robot needs a hug", "I'm making a chair and want a cushion on it" are about the first.
     if match and _ASKING.issuperset(name.noun for name in first_names(match[0])):
         return prompt[match.end() :]
     return prompt

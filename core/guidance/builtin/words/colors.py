@@ -1,6 +1,6 @@
-"""What the words of colour look like, in sRGB, the way one picks it. Standard library only.
+"""Values of the colour words in sRGB. Standard library only.
 
-The networks know the eighteen words of ``COLOR_VALUES``; the texture is painted in the very shade.
+The networks know the eighteen words of ``COLOR_VALUES``; the texture is painted in the exact shade.
 """
 
 from core.guidance.builtin.words.words import COLORS
@@ -27,7 +27,7 @@ COLOR_VALUES: dict[str, Color] = {
     "lime": (0.55, 0.82, 0.15),
     "beige": (0.85, 0.76, 0.60),
 }
-# The shades that have names of their own, by the word that the networks know them by.
+# Shades with names of their own, by the word that the networks know.
 SHADES: dict[str, dict[str, str]] = {
     "red": {
         "neon red": "ff2a3c",
@@ -233,7 +233,7 @@ SHADES: dict[str, dict[str, str]] = {
         "blonde": "e3c37a", "blond": "e3c37a",
     },
 }  # fmt: skip
-# Things that are also called as their shade is, before the name of another: "a peach armchair".
+# Things whose names are also shades before another name: "a peach armchair".
 CALLED_SHADES = {
     "peach": "peach orange", "coral": "coral orange", "salmon": "salmon pink",
     "apricot": "apricot orange", "tangerine": "tangerine orange", "plum": "plum purple",
@@ -241,7 +241,7 @@ CALLED_SHADES = {
     "raspberry": "raspberry red", "camel": "camel brown", "espresso": "espresso brown",
     "rose": "rose pink", "orchid": "lilac",
 }  # fmt: skip
-# What an ice cream tastes of.
+# Flavours of ice cream.
 TASTES = {
     "strawberry": "strawberry pink", "vanilla": "cream white", "cherry": "cherry red",
     "chocolate": "chocolate brown", "coffee": "mocha", "coconut": "pure white",
@@ -250,7 +250,7 @@ TASTES = {
     "hazelnut": "light brown",
 }  # fmt: skip
 RAINBOW = "rainbow"
-# Of many colours; the network knows them as the first of these.
+# Many colours; the network knows them as the first of these.
 MANY_COLORS = (
     *(RAINBOW, "rainbow coloured", "rainbow colored", "rainbow colors", "rainbow colours"),
     *("multicolored", "multicoloured", "multi colored", "multi coloured", "multicolor"),
@@ -260,7 +260,7 @@ SHADES["red"] |= dict.fromkeys(MANY_COLORS, "dc1a1f")
 SHADES["grey"] |= {form.replace("grey", "gray"): rgb for form, rgb in SHADES["grey"].items()}
 _RGB = {form: value for shades in SHADES.values() for form, value in shades.items()}
 LIGHT, DARK = COLOR_VALUES["white"], COLOR_VALUES["black"]
-# Before a colour: how far it is then on the way to black, or to white.
+# Before a colour: how far it moves to black or to white.
 TOWARDS: dict[str, tuple[Color, float]] = {
     "dark": ((0.0, 0.0, 0.0), 0.5),
     "deep": ((0.0, 0.0, 0.0), 0.3),
@@ -275,12 +275,12 @@ OF_MATERIALS = ("dark", "deep", "light", "pale")  # soft leather is no lighter
 
 
 def shade(word: str, form: str) -> str:
-    """``form``, where it is another shade than the word's own; else ""."""
+    """``form`` if it is another shade than the word's own; else ""."""
     return form if color_value(word, form) != COLOR_VALUES[word] else ""
 
 
 def color_value(word: str, form: str = "") -> Color:
-    """What a colour word looks like; ``form``: as it was written, such as "dark teal" for cyan."""
+    """The value of a colour word; ``form``: as written, such as "dark teal" for cyan."""
     tone, _, rest = form.partition(" ")
     if form in _RGB:
         red, green, blue = (int(_RGB[form][i : i + 2], 16) / 255 for i in (0, 2, 4))
@@ -291,13 +291,14 @@ def color_value(word: str, form: str = "") -> Color:
 
 
 def luma(color: Color) -> float:
-    """How light a colour is, in [0, 1]: Rec.601's, rounded."""
+    """The lightness of a colour in [0, 1]: Rec. 601, rounded."""
     red, green, blue = color
     return 0.3 * red + 0.6 * green + 0.1 * blue
 
 
 def rainbow_tone(form: str) -> str | None:
-    """The tone of a form that means many colours, "" without one: of pastel rainbow; else None."""
+    """The tone of a form for many colours, "" without one, such as that of pastel rainbow; None for
+    other forms."""
     tone, _, rest = form.partition(" ")
     if form in MANY_COLORS:
         return ""
@@ -305,7 +306,7 @@ def rainbow_tone(form: str) -> str | None:
 
 
 def toned(color: Color, tone: str) -> Color:
-    """The colour with a tone's word before it."""
+    """The colour changed by a tone word."""
     end, way = TOWARDS[tone]
     red, green, blue = (c + way * (e - c) for c, e in zip(color, end, strict=True))
     return red, green, blue

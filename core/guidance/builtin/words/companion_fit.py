@@ -1,4 +1,4 @@
-"""Whether what a phrase names may be with the first thing of a prompt, and how.
+"""Whether the thing that a phrase names may accompany a prompt's first thing, and how.
 
 Standard library only.
 """
@@ -14,25 +14,25 @@ from core.guidance.builtin.words.lexicon import Entry
 from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 
-_PLACING = ("on", "in")  # of which a thing has one
+_PLACING = ("on", "in")  # a thing has one of these
 _DRIVING = ("driving", "drives", "drive")
 
 
 class Found(NamedTuple):
-    """What goes with the thing, as it was written and as it was read."""
+    """A companion, as written and as parsed."""
 
     relation: Relation
     phrase: str
     words: Words
-    verb: str = ""  # what the first does there
+    verb: str = ""  # the activity of the first thing
 
 
 class Read(NamedTuple):
-    """What a phrase names: the entry of its thing, and all that is said of it."""
+    """A parsed phrase: the entry of its thing, and its words."""
 
     entry: Entry
     words: Words
-    said: str = ""  # of how many there are
+    stated: str = ""  # the words for its count
 
 
 Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
@@ -47,7 +47,8 @@ def fitting(
     verb: str = "",
     weak: bool = False,
 ) -> Found | None:
-    """What the phrase names, if it may be with the first thing so, beside what is ``found``."""
+    """The companion that the phrase names, if the first thing may have it so, in addition to
+    ``found``."""
     if verb in _DRIVING and named_in(phrase) in known_as.CONTAINERS:
         relation = "in"
     if relation == "in":
@@ -77,7 +78,7 @@ def fitting(
     hats = [one for one in found if one.relation == "wears" and one.words.noun in known_as.HEADWEAR]
     if relation == "wears" and other in known_as.HEADWEAR and hats:  # one has one head
         return None
-    # A hat of its own is taken off for another kind of hat, and left on for "a hat".
+    # Another kind of hat replaces its own; "a hat" does not.
     own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
     another = relation == "wears" and other in known_as.HEADWEAR and not own
     anew = relation == "wears" and known_as.is_put_on(first, other)
@@ -94,13 +95,13 @@ def fitting(
         "beside": lambda: other != first,
     }
     if relation in ("wears", "holds"):
-        words = _only_one(words, got.said)
+        words = _only_one(words, got.stated)
     return Found(relation, phrase, words, verb) if is_so[relation]() else None
 
 
-def _only_one(words: Words, said: str) -> Words:
-    """Of what is worn or held there is one."""
-    notes = [f"{said}: one thing is made at a time."] if said and words.count > 1 else []
+def _only_one(words: Words, stated: str) -> Words:
+    """Reduce a worn or held thing to one."""
+    notes = [f"{stated}: one thing is made at a time."] if stated and words.count > 1 else []
     return replace(words, count=1, order="row", notes=(*words.notes, *notes))
 
 

@@ -1,4 +1,4 @@
-"""Where a prompt begins to speak of another thing than the first, and what that is.
+"""Openers: words after which a prompt is about another thing than the first.
 
 Standard library only.
 """
@@ -9,20 +9,20 @@ from typing import Literal, NamedTuple
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.tokens import DOING, LONGEST
 
-# What the first thing does to the other: it is on it or in it, wears it or holds it, bears it on
-# top of itself, or is beside it.
+# The relation of the first thing to the other: it is on it or in it, wears it or holds it, bears it
+# on top of itself, or is next to it.
 Relation = Literal["on", "in", "wears", "holds", "bears", "beside"]
 TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
 
 
 class Opener(NamedTuple):
-    """What says how the thing is with the other, and where in the prompt."""
+    """The words for the relation to another thing, and their place in the prompt."""
 
     relation: Relation
     start: int
     end: int
     verb: str = ""
-    weak: bool = False  # "with" and "in" also begin what is no other thing
+    weak: bool = False  # "with" and "in" also start phrases without another thing
 
 
 _BEING = r"(?:(?:who|that|which) )?(?:(?:is|are|was|were) )?"
@@ -39,7 +39,7 @@ _DOING = (
     rf"(?:(?:[a-z]{{3,}}ly )?(?:(?P<first>{_POSTURE})(?: {_HOW})* )?"
     rf"(?P<doing>{_POSTURE})(?: {_HOW})* )?"
 )
-# "On its side" says how it lies, "on it" and "on top" what is on it.
+# "On its side" is its own position, "on it" and "on top" are things on it.
 _NOT_IT = (
     r"(?!(?:it|them|itself|top|each|both|one side|all|fire|wheels|display|sale)\b|(?:the|its|his|"
     r"her|their|each|one) (?:\w+ )?(?:sides?|front|back|top|bottom|lid|inside|outside|ends?|"
@@ -87,13 +87,13 @@ _OPENERS = [
 
 
 def named_in(text: str) -> str:
-    """The thing that a text names first, as far as a look at its words tells."""
+    """The thing that a text names first, as far as a look at its words shows."""
     words = [match[0] for match in TOKEN.finditer(text)]
     return name_in(words)[0]
 
 
 def name_in(words: list[str]) -> tuple[str, int]:
-    """The first thing that the words name, and the index behind its name; "" and -1 for none."""
+    """The first thing that the words name, and the index behind its name; "" and -1 without one."""
     noun, end = "", -1
     at = 0
     while at < len(words):
@@ -112,36 +112,36 @@ def name_in(words: list[str]) -> tuple[str, int]:
 
 
 def is_doing(word: str) -> bool:
-    """Whether it says what a thing does: "jumping", and not "glowing"."""
+    """Whether it is an activity: "jumping", but not "glowing"."""
     return DOING.fullmatch(word) is not None and look_up(word, SLOTS) is None
 
 
 def ends_in_doing(text: str) -> bool:
-    """Whether it ends in what the thing does: "reading news" on a phone."""
+    """Whether it ends in an activity of the thing: "reading news" on a phone."""
     words = re.split(r"[,;.!?]", text)[-1].split()
     return any(map(is_doing, words[max(name_in(words)[1], 0) :]))
 
 
 def ends_in_name(text: str, noun: str) -> bool:
-    """Whether a text ends with the noun's name, or with what it is of: a "sword made of ice", and
-    no "star pattern"."""
+    """Whether a text ends with the noun's name, or with its material: a "sword made of ice", but
+    not a "star pattern"."""
     words = [match[0].lower() for match in TOKEN.finditer(text)]
     name, end = name_in(words)
     return name == noun and (end == len(words) or words[end] in ("of", "made"))
 
 
 def openers_in(prompt: str) -> list[Opener]:
-    """All that may begin what is said of another thing, in order."""
+    """All possible openers in order."""
     found: dict[int, Opener] = {}
     for relation, rule, weak in _OPENERS:
         for match in rule.finditer(prompt):
-            said, start = match.groupdict(), match.start()
+            stated, start = match.groupdict(), match.start()
             for doing in ("first", "doing"):  # "a painting on an easel", "glowing"
-                if said.get(doing) and look_up(said[doing].lower(), SLOTS):
+                if stated.get(doing) and look_up(stated[doing].lower(), SLOTS):
                     start = match.end(doing) + 1
-            verb = (said.get("verb") or said.get("doing") or "").split(" ")[0].lower()
+            verb = (stated.get("verb") or stated.get("doing") or "").split(" ")[0].lower()
             one = Opener(relation, start, match.end(), verb, weak)
-            # "Riding on" is no mere "on".
+            # "Riding on" is more than "on".
             if not any(start < other.end and other.start < one.end for other in found.values()):
                 found[start] = one
     return sorted(found.values(), key=lambda one: one.start)

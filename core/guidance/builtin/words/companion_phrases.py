@@ -19,7 +19,7 @@ from core.guidance.builtin.words.part_names import is_within, owns
 from core.guidance.builtin.words.tokens import describes
 from core.guidance.builtin.words.words import FILLER, IGNORED_ADJECTIVES, PLACES
 
-# Of these relations there may be several, with what says so.
+# Relations that several things may have, with the words for them.
 VERBS = {"wears": "wearing", "holds": "holding", "in": "in"}
 ARTICLES = frozenset("a an the some his her its their my your".split())
 SAYS_LITTLE = FILLER | IGNORED_ADJECTIVES | {"very"}
@@ -33,7 +33,7 @@ _BEYOND = PLACES - set("to as like being among up down out off inside into whose
 def items(
     prompt: str, opener: Opener, openers: list[Opener], first: str
 ) -> Iterator[tuple[int, int]]:
-    """Where what follows begins and ends: of what is worn or held there may be several."""
+    """The ranges of the following things: several may be worn or held."""
     starts = {one.start for one in openers if one.start >= opener.end and _ends_here(prompt, one)}
     begin = opener.end
     while True:
@@ -53,7 +53,7 @@ def items(
 
 
 def _ends_here(prompt: str, opener: Opener) -> bool:
-    """Whether what stands before ends where the opener begins."""
+    """Whether the words before the opener end the phrase."""
     if not opener.weak:
         return True
     noun = named_in(" ".join(prompt[opener.end :].split()[:4]))
@@ -61,7 +61,7 @@ def _ends_here(prompt: str, opener: Opener) -> bool:
 
 
 def _phrase_end(prompt: str, begin: int, starts: set[int], first: str) -> int:
-    """Where a phrase that begins there ends."""
+    """The end of a phrase that starts at the index."""
     tokens = list(TOKEN.finditer(prompt, begin))
     words = [token[0].lower() for token in tokens]
     stop = next((k for k, token in enumerate(tokens) if _stops(prompt, token)), len(tokens))
@@ -95,7 +95,7 @@ def _before(prompt: str, end: int) -> int:
 
 
 def _is_firsts(words: list[str], first: str, other: str) -> bool:
-    """Whether what "with" says behind the other thing is said of the first: "a dog on a rug with
+    """Whether the words of "with" behind the other thing belong to the first: "a dog on a rug with
     big ears"."""
     for word in words[:5]:
         if word in ("and", "on", "in", "with"):
@@ -108,7 +108,7 @@ def _is_firsts(words: list[str], first: str, other: str) -> bool:
 
 
 def _is_strange(words: list[str]) -> bool:
-    """Whether they end in what may be a thing that is not known: "a unicycle juggling balls"."""
+    """Whether they end in a possible unknown thing: "a unicycle juggling balls"."""
     word = next(reversed(words), "a")
     return look_up(word, SLOTS) is None and word not in SAYS_LITTLE and not describes(word)
 

@@ -1,4 +1,4 @@
-"""What may go with a thing, as data: what bears or holds another, and what is worn.
+"""Possible companions of a thing, as data: supports, holders, worn things.
 
 Standard library only.
 """
@@ -21,13 +21,13 @@ EYEWEAR = frozenset(("sunglasses", "goggles", "vr headset"))
 FACES = frozenset(("gas mask", "mask"))  # over them
 AROUND_NECKS = frozenset(("bow tie", "necktie", "medal", "necklace"))
 ON_BACKS = frozenset(("backpack", "jetpack", "quiver"))
-# They are cut to who wears them.
+# They are cut to their wearer.
 CLOTHING = frozenset(
     "jacket shirt dress trousers belt chestplate boot sneaker sandal sock scarf cape".split()
 ) | {"high heel", "dog collar"}
 ON_BODIES = frozenset(("shirt", "jacket", "dress", "chestplate"))  # one is worn
 WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headphones"}
-# They are open above: what is in them is seen.
+# They are open above, so that their content is visible.
 CONTAINERS = frozenset(
     (
         "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
@@ -37,14 +37,14 @@ CONTAINERS = frozenset(
         "plate, dumpster"
     ).split(", ")
 )
-# What is in these with its point, and what has such a point.
+# Things that others stick in with their point, and things with such a point.
 PIERCED = frozenset(
     "boulder stump log anvil tree pumpkin watermelon cake bread cheese apple skull shield".split()
 )
 POINTED = frozenset(
     "sword katana dagger knife axe pickaxe spear halberd arrow trident fork shovel saw".split()
 )
-# These lie on a table.
+# Things that are put on a table.
 PUT_DOWN = (
     POINTED
     | frozenset(
@@ -65,7 +65,7 @@ FLOWERS = frozenset("flower tulip rose sunflower".split())
 STIRRING = frozenset("spoon fork whisk spatula".split())
 ENTERED = CONTAINERS | WORN | SEATS | PIERCED | {"cube"}  # as a box is read by itself
 BOX = "cardboard box"
-# What is worn, hangs or is slender, so that nothing stands on it.
+# Worn, hanging or slender things, which bear nothing.
 _SLENDER = (
     "chain, rope, curtain, clothes hanger, ladder, fence, staff, torch, key, arrow, umbrella, "
     "kite, feather, necklace, spear, halberd, mace, scythe, sword, dagger, trident, bow, crossbow, "
@@ -86,32 +86,32 @@ NO_SUPPORTS = (
     | {"signpost", "stop sign"}
     | frozenset(noun for group in _SLENDER_GROUPS for noun in GROUPS[group] if noun not in _STURDY)
 )
-# Where something is, and no thing.
+# Places, not things.
 NO_PLACES = frozenset(
     """wall walls ceiling floor background backdrop ground display museum stand surface mannequin
     hill hills mountain mountains beach mars canvas screen base table-top market""".split()
 )
 THE_MOON = frozenset(("moon", "sun", "sea", "ocean", "lake", "river", "sky", "street", "field"))
-# What grows on one, and is no thing that is put there.
+# Parts that grow on a body, not things that are put there.
 GROWN = frozenset(("antenna", "antennae", "aerial", "horn", "feather"))
-# What a robot with a screen has on itself.
+# Parts of a robot with a screen.
 _FEATURES = frozenset(
     """screen wheel wheels display monocle hand hands tooth teeth fang fangs eyeball
     eyeballs""".split()
 ) | {"pumpkin head"}
-_IN_HAND = 0.25  # times as long as who holds it, at most: a rabbit, and no dog
+_IN_HAND = 0.25  # of the holder's length, at most: a rabbit, but not a dog
 _FISH = ("fish", "clownfish", "koi")
 _NO_FIGURES = frozenset("moai obelisk mask bone tooth eyeball hand brain".split()) | {"totem pole"}
-# What nobody holds.
+# Things that are not held.
 _STANDS = (
     frozenset(GROUPS["Vehicles"])
     | frozenset(GROUPS["Aircraft and Space"])
     | frozenset("chest anvil barrel mailbox engine cannon nest bathtub campfire".split())
 )
 PEDESTALS = ("column", "pallet")
-# A building is stood on by what is not lost on it.
+# Things on a building that are large enough to see.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
-# Of these nothing stands on something: they hang, or are flat against it.
+# These do not stand on things: they hang, or are flat against them.
 HUNG = frozenset(
     (
         "necklace, dress, shirt, trousers, jacket, chain, curtain, picture frame, clock, "
@@ -119,7 +119,7 @@ HUNG = frozenset(
         "board, medal, scarf, necktie, belt, mirror, padlock, wall, faucet"
     ).split(", ")
 )
-# With these what is on it is a picture.
+# Things on these are pictures.
 PICTURED = frozenset(
     (
         "mug, teacup, teapot, jug, kettle, shield, rug, poster, book, plate, bottle, jar, potion, "
@@ -147,7 +147,7 @@ USED = (
     | dict.fromkeys(("drinking", "sipping"), DRINKS)
     | dict.fromkeys(("reading", "reads"), READ)
 )
-# What a hand does not take: what is worn elsewhere, and what a house is.
+# Things that a hand does not take: worn elsewhere, or houses.
 _NOT_HELD = (
     frozenset("sneaker boot sandal sock shirt trousers dress jacket belt".split())
     | {"high heel", "roller skate", "chestplate", "parachute", "drum kit"}
@@ -157,7 +157,7 @@ _NOT_HELD = (
 
 
 def is_dressed(noun: str) -> bool:
-    """Whether it may wear or hold something: what is alive, its likeness, or a funny fruit."""
+    """Whether it may wear or hold something: a living thing, its likeness, or a funny fruit."""
     return (
         is_creature(noun)
         or noun in _ALSO_DRESSED
@@ -166,34 +166,34 @@ def is_dressed(noun: str) -> bool:
 
 
 def is_pictured(noun: str) -> bool:
-    """Whether what is said to be on it is a picture, a print or a sticker."""
+    """Whether a thing stated to be on it is a picture, a print or a sticker."""
     return noun in PICTURED or any(noun in GROUPS[group] for group in _PICTURED_GROUPS)
 
 
 def is_building(noun: str) -> bool:
-    """Whether it is one, or a part of the landscape."""
+    """Whether it is a building, or a part of the landscape."""
     return noun in GROUPS["Buildings"] and noun not in PEDESTALS
 
 
 def is_no_place(phrase: str) -> bool:
-    """Whether it says where something is, and no thing that it is on or in."""
+    """Whether it only states a place, not a thing that it is on or in."""
     words = phrase.lower().replace("-", " ").split()
     there = [word for word in words if word in THE_MOON]
     return not NO_PLACES.isdisjoint(words) or (bool(there) and words[0] == "the")
 
 
 def as_container(phrase: str) -> str:
-    """The phrase as what is in it has it: a box that holds something is one of cardboard."""
+    """The phrase for its content: a box that holds something is a cardboard box."""
     return re.sub(r"(?<![\w-])(?<!cardboard )box$", BOX, phrase, flags=re.IGNORECASE)
 
 
 def as_meant(noun: str) -> Relation:
-    """What "in" such a thing means: one is on a chair, and wears a hat."""
+    """The meaning of "in" with such a thing: on a chair, wearing a hat."""
     return "wears" if noun in WORN else "on" if noun in SEATS else "in"
 
 
 def may_contain(other: str, first: str) -> bool:
-    """Whether the first thing may be in the other; a cactus stands in a pot of its own."""
+    """Whether the first thing may be in the other; a cactus has a pot of its own."""
     potted = other in VESSELS and owns(first, "pot")
     if first in POINTED and other in PIERCED:
         return True
@@ -201,14 +201,14 @@ def may_contain(other: str, first: str) -> bool:
 
 
 def may_hold_within(other: str, first: str) -> bool:
-    """Whether "with the other in it" is said of the first: flowers in a vase, an axe in a stump."""
+    """Whether "with the other in it" applies to the first: flowers in a vase, an axe in a stump."""
     stuck = other in POINTED and first in PIERCED
     stirs = other in STIRRING and first in VESSELS | {"pan", "cauldron"}
     return stuck or stirs or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
 
 
 def may_wear(first: str, other: str) -> bool:
-    """Whether the first thing may wear the other, and has nothing there already."""
+    """Whether the first thing may wear the other, and has nothing there."""
     covered = other in ("helmet", "gas mask") and owns(first, "visor")
     if other in CLOTHING and not is_dressed(first):
         return False
@@ -216,7 +216,7 @@ def may_wear(first: str, other: str) -> bool:
 
 
 def is_put_on(first: str, other: str) -> bool:
-    """Whether it is worn over what the first thing has on by nature: a person has a shirt."""
+    """Whether it is worn over the first thing's natural clothes: a person has a shirt."""
     armour = other == "chestplate" and not {"armour", "plate"}.intersection(NOUNS[first].looks)
     own = NOUNS[first].looks
     shirt = not {"shirt", "dress"}.isdisjoint(own) and is_somebody(first)
@@ -231,15 +231,15 @@ def may_bear(other: str, first: str, heaped: bool = False) -> bool:
 
 
 def is_held(noun: str, verb: str) -> bool:
-    """Whether somebody may have it in a hand, a paw or a mouth, as the verb says."""
+    """Whether a figure may have it in a hand, a paw or a mouth, by the verb."""
     if verb in USED:
         return noun in USED[verb]
     return noun not in _NOT_HELD and not is_building(noun)
 
 
 def has_with(first: str, form: str, other: str) -> Relation | None:
-    """What "a girl with a kite", "a boy with a dog", "a horse with a saddle" mean: she holds it, it
-    is beside him, it bears it. None: a part, or a pattern."""
+    """The relation in "a girl with a kite", "a boy with a dog", "a horse with a saddle": she holds
+    it, it is next to him, it bears it. None: a part, or a pattern."""
     figure = (is_creature(first) and first not in _NO_FIGURES) or first in _ALSO_DRESSED
     tied = form == "bow" and not is_somebody(first)  # a ribbon
     if form in _FEATURES or tied or not figure:

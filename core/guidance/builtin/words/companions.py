@@ -1,6 +1,7 @@
-"""What a prompt wants together with the thing: "a cat on a cushion", "a corgi wearing a beret".
+"""Companions: things that a prompt requests with the thing: "a cat on a cushion", "a corgi wearing
+a beret".
 
-It is taken out of the prompt before the rest is read. Standard library only.
+They are taken out of the prompt before the rest is parsed. Standard library only.
 """
 
 import math
@@ -28,7 +29,7 @@ from core.guidance.builtin.words.tokens import DOING
 from core.guidance.builtin.words.whereabouts import BY_IT, Place, place_of
 
 MOST = 4  # with one thing
-LOOKED_AT = 12  # of a prompt's phrases: all before are read for each
+LOOKED_AT = 12  # of a prompt's phrases: all before are parsed for each
 _RELATIONS: dict[Place, Relation] = {
     "on": "bears",
     "three on": "bears",
@@ -65,7 +66,7 @@ _PLACED = re.compile(
     re.IGNORECASE,
 )
 _WITH_ONE = re.compile(r"with an? [\w'-]+(?: [\w'-]+){0,4} ?$", re.IGNORECASE)
-# "A deer with a lantern on its antlers" does not hold it.
+# In "a deer with a lantern on its antlers" it is not held.
 _ELSEWHERE = re.compile(
     r"\s*(?:inside|(?:in|on|around|through|under|inside|from|over) "
     r"(?:its|his|her|their|the|one|each)\b)",
@@ -79,12 +80,12 @@ _TOPPED = re.compile(
 def companions_in(
     prompt: str, read: Reader, first_of: Callable[[str], str], found: Iterable[Found] = ()
 ) -> tuple[list[Found], str]:
-    """What goes with the thing, ``MOST`` at most, and the prompt without it.
+    """The companions of the thing, ``MOST`` at most, and the prompt without them.
 
     Args:
-        read: reads a phrase about another thing by itself.
+        read: parses a phrase about another thing by itself.
         first_of: the thing that a text names first, or "".
-        found: what is known to go with it already; of the ``MOST``.
+        found: companions known already, part of the ``MOST``.
     """
     found = list(found)
     search = _Search(read, first_of)
@@ -95,11 +96,11 @@ def companions_in(
             if not more:
                 break
             found += more
-    return _shared_out(found), prompt
+    return _distributed(found), prompt
 
 
 class _Search:
-    """Looks for one thing more that goes with the first."""
+    """A search for one more companion."""
 
     def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
         self._read, self._first_of = read, first_of
@@ -123,21 +124,21 @@ class _Search:
         return taken, _cut(whole, start, start + got.end - got.start, left)
 
     def _holding(self, text: str) -> tuple[str, str]:
-        """The thing that a text names first and that holds something, and the text that names it
-        so: a box is one of cardboard."""
+        """The thing that a text names first and that holds something, and the text with its name: a
+        box is one of cardboard."""
         first = self._first_of(text)
-        if first == "cube":  # as a box is read by itself
+        if first == "cube":  # as a box is parsed by itself
             text = known_as.as_container(text.rstrip()) + " "
             first = self._first_of(text)
         return first, text
 
     def _is_own(self, phrase: str, first: str) -> bool:
-        """Whether it names what the first thing has by itself, or nothing that is known."""
+        """Whether it names a thing that the first has by itself, or nothing known."""
         got = self._read(phrase)
         return got is None or is_part(got.entry, first)
 
     def _at_place(self, item: Item, first: str, found: list[Found]) -> list[Found]:
-        """What is listed, as one or two; nothing where there is no room for it."""
+        """The listed things, as one or two; none without room."""
         if not item.place or len(found) >= MOST:
             return []
         many = _MANY.get(item.place)
@@ -160,26 +161,28 @@ class _Search:
         matches = (*_PLACED.finditer(prompt), *_TOPPED.finditer(prompt))
         for match in matches[:LOOKED_AT]:
             first = self._first_of(prompt[: match.start()])
-            said = match.groupdict()
-            place = next(filter(None, (said.get(k) for k in ("place", "it", "over", "top"))), "top")
-            by = bool(said.get("by"))
-            if said.get("within") and not fillings.may_hold(first, match["phrase"]):
+            stated = match.groupdict()
+            place = next(
+                filter(None, (stated.get(k) for k in ("place", "it", "over", "top"))), "top"
+            )
+            by = bool(stated.get("by"))
+            if stated.get("within") and not fillings.may_hold(first, match["phrase"]):
                 continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
             if by and first:
-                relation = self._stands_by(first, match)
-            if relation is None or (said.get("it") and is_pictured(first)):
+                relation = self._is_next_to(first, match)
+            if relation is None or (stated.get("it") and is_pictured(first)):
                 continue
             pictures = (one for one, start, end in drawn if start <= match.start() < end)
-            is_head = bool(said.get("place")) and is_dressed(first)
+            is_head = bool(stated.get("place")) and is_dressed(first)
             if any(not is_head or one.text or one.shape in FLAT for one in pictures):
                 continue
             # "A cat wearing a hat with a flower on top": that is the hat's.
             clause = re.split(r"[,;.!?]", prompt[: match.start()])[-1]
-            if not said.get("place") and self._has_opener(clause):
+            if not stated.get("place") and self._has_opener(clause):
                 continue
             one = fitting(self._read, relation, match["phrase"].strip(), first, found)
-            if one and said.get("within"):
+            if one and stated.get("within"):
                 one = self._as_filling(one, first)
             if one:
                 # "With a skull and a candle on top": the skull is there too.
@@ -192,7 +195,7 @@ class _Search:
         return [], prompt
 
     def served(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
-        """ "A plate of croissants": they are the thing, and lie on it."""
+        """ "A plate of croissants": they are the thing, and are on it."""
         for match in fillings.SERVED.finditer(prompt):
             start, phrase = match.start(), match["phrase"].strip()
             food, plate = self._read(phrase), self._read(match["plate"])
@@ -233,7 +236,7 @@ class _Search:
         return one._replace(words=words) if words else None
 
     def _is_later(self, prompt: str, at: int) -> bool:
-        """Whether what stands there is said of a companion: "a table with a vase of roses"."""
+        """Whether the words there belong to a companion: "a table with a vase of roses"."""
         return any(one.end < at and not one.weak for one in openers_in(prompt))
 
     def opened(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
@@ -268,8 +271,8 @@ class _Search:
                 return taken, _cut(prompt, opener.start, end, left, openers)
         return [], prompt
 
-    def _stands_by(self, first: str, match: re.Match[str]) -> Relation | None:
-        """What stands beside the first thing, and is not on its side, nor worn around it."""
+    def _is_next_to(self, first: str, match: re.Match[str]) -> Relation | None:
+        """The relation of a thing next to the first, not on its side, nor worn around it."""
         phrase = match["phrase"].strip()
         if "side" in match["by"] and place_of(first, phrase, is_one=True) != "by":
             return None
@@ -282,7 +285,7 @@ class _Search:
         )
 
     def _at(self, place: str, phrase: str) -> Relation | None:
-        """How the first thing has what is said to be at one of its places."""
+        """The relation of the first thing to one at one of its places."""
         noun = named_in(phrase)
         where = next((k for k, forms in _PLACES.items() if re.fullmatch(forms, place)), "back")
         if where == "hand":
@@ -292,8 +295,8 @@ class _Search:
         return "bears" if where in ("head", "back") or place == "nose" else None
 
 
-def _shared_out(found: list[Found]) -> list[Found]:
-    """Of what fills a container together there is less of each."""
+def _distributed(found: list[Found]) -> list[Found]:
+    """Fewer of each of the things that fill a container together."""
     heaps = (CONTAINED, HEAPED)
     mixed = [one for one in found if one.relation == "bears" and one.words.count in heaps]
     if len(mixed) < 2:
@@ -305,7 +308,7 @@ def _shared_out(found: list[Found]) -> list[Found]:
 
 
 def _on_both_sides(one: Found, where: str) -> list[Found]:
-    """What stands beside the thing, as one or two: "two chairs", "a chair on each side"."""
+    """Things next to the thing, as one or two: "two chairs", "a chair on each side"."""
     twice = re.search("each|either|both", where, re.IGNORECASE)
     half = one.words.count if twice else one.words.count // 2
     if not half:
@@ -317,7 +320,7 @@ def _on_both_sides(one: Found, where: str) -> list[Found]:
 def _cut(
     prompt: str, start: int, end: int, left: list[str], openers: list[Opener] | None = None
 ) -> str:
-    """The prompt without what stands between the indices, but for what is ``left``."""
+    """The prompt without the words between the indices, except for those ``left``."""
     before = re.sub(r"(?:,? (?:and|while)|,)\s*$", "", prompt[:start].rstrip())
     comma = "," if prompt[:start].rstrip().endswith(",") else ""
     after = prompt[end:]

@@ -1,6 +1,6 @@
-"""What is said of a part in front of the thing: "a marble topped table", "a red cap mushroom".
+"""Looks of a part before the thing: "a marble topped table", "a red cap mushroom".
 
-Read from left to right the look would be the whole thing's, as in "a marble table". Standard
+Parsed from left to right the look would be the whole thing's, as in "a marble table". Standard
 library only.
 """
 
@@ -12,7 +12,7 @@ from core.guidance.builtin.words.tokens import LONGEST, Tokens
 from core.guidance.builtin.words.words import IGNORED_ADJECTIVES, LOOKS
 
 ENDING = "ed"
-# "Gold plated" has no plate, "crooked" no crook.
+# "Gold plated" means no plate, "crooked" no crook.
 NO_PARTS = IGNORED_ADJECTIVES.union(
     "plated painted glazed coated varnished covered wrapped".split()
 )
@@ -20,26 +20,26 @@ JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 
 def set_parts_apart(tokens: Tokens) -> None:
-    """Put what is said of a part behind the rest: "a marble topped table" as "a table, with marble
+    """Move descriptions of a part behind the rest: "a marble topped table" as "a table, with marble
     top"."""
-    at, said = 0, []
+    at, stated = 0, []
     while at < len(tokens.words):
         part = _meant(tokens, at)
         # "A golden jewelled crown" has no golden gems.
         slots = ("color",) if tokens.words[at] in JEWELLED else LOOKS
         begin = tokens.qualities_begin(at, slots) if part else at
         if begin < at:
-            said.append(["with", *tokens.words[begin:at], part])
+            stated.append(["with", *tokens.words[begin:at], part])
             tokens.cut(begin, at + 1)
             at = begin
         else:
             at += 1
-    for clause in said:
+    for clause in stated:
         tokens.add_clause(clause)
 
 
 def _meant(tokens: Tokens, at: int) -> str:
-    """The part that the word at the index says how it looks, or ""."""
+    """The part that the word at the index describes, or ""."""
     word = tokens.words[at]
     # "A flower pot" and "a potted plant" are things by themselves, "ear cups" are parts.
     around = (look_up(" ".join(words), tokens.known) for words in _around(tokens.words, at))
@@ -53,7 +53,7 @@ def _meant(tokens: Tokens, at: int) -> str:
         return next((form for form in forms if form in PARTS), "")
     if entry is not None and entry.slot in LOOKS:  # "a red stone crown", which has stones
         return ""
-    # Of the thing right behind it, or behind how that looks: "a red lid white teapot".
+    # Of the thing right behind it, or behind its look: "a red lid white teapot".
     end = tokens.qualities_end(at + 1, LOOKS)
     noun = next(filter(None, map(tokens.thing, tokens.phrases(end))), "")
     if not noun or not tokens.breaks.isdisjoint(range(at + 1, end + 1)) or at in tokens.owners:
@@ -63,14 +63,14 @@ def _meant(tokens: Tokens, at: int) -> str:
 
 
 def _around(words: list[str], at: int) -> Iterator[list[str]]:
-    """The phrases of several words that the index is in."""
+    """The phrases of several words around the index."""
     for count in range(2, LONGEST + 1):
         for begin in range(max(at - count + 1, 0), at + 1):
             yield words[begin : begin + count]
 
 
 def _stems(word: str) -> Iterator[str]:
-    """What a word has that ends so: topped a top, handled a handle, eyed an eye."""
+    """The stems of a word with such an ending: topped a top, handled a handle, eyed an eye."""
     stem = word.removesuffix(ENDING)
     yield stem
     yield f"{stem}e"

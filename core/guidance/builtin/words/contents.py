@@ -1,4 +1,4 @@
-"""What is on a plate or fills a chest is what one sees: the words put so that it is the thing.
+"""Visible contents: things on a plate or in a chest, reordered so that they are the thing.
 
 "A plate of pancakes" is pancakes with a plate, "a chest full of gold" an open chest. Standard
 library only.
@@ -32,11 +32,11 @@ FLAVORS = frozenset((*TASTES, "mint", "pistachio", "caramel", "lavender"))  # th
 SHINING = frozenset("glowing gleaming".split())
 OPENED = ("open", "opened", "ajar")
 HALF = ("half", "slightly", "partly", "wide")  # open
-COINS = ("silver", "copper", "bronze")  # of gold they are anyway
+COINS = ("silver", "copper", "bronze")  # they are of gold anyway
 
 
 def set_contents_first(tokens: Tokens) -> None:
-    """Change the words where a thing is named by what is on it or in it."""
+    """Reorder the words where a thing is named by its contents."""
     _serve(tokens)
     _open_chests(tokens)
     _taste(tokens)
@@ -59,7 +59,7 @@ def _serve(tokens: Tokens) -> None:
 
 
 def _is_food(tokens: Tokens, begin: int) -> bool:
-    """Whether what begins there is a food, with what it is like before."""
+    """Whether a food starts there, with its qualities before it."""
     for at in range(begin, min(begin + BETWEEN + 1, len(tokens.words))):
         if tokens.words[at] in ARTICLES:
             continue
@@ -97,7 +97,7 @@ def _open_stated_chests(tokens: Tokens) -> None:
 
 
 def _cut_riches(tokens: Tokens) -> bool:
-    """Take out the riches that are said to be inside; whether there were any."""
+    """Take out riches that are stated to be inside; whether there were any."""
     for at, word in enumerate(tokens.words):
         if word == "inside" and tokens.ends_phrase(at + 1):
             begin = _riches_begin(tokens, at)
@@ -109,7 +109,7 @@ def _cut_riches(tokens: Tokens) -> bool:
 
 
 def _cut_open(tokens: Tokens) -> bool:
-    """Take out that it is open, and not a window beside it; whether it was said."""
+    """Take out that it is open, but not a window next to it; whether it was stated."""
     opened = (k for k, word in enumerate(tokens.words) if word in OPENED)
     at = next((k for k in opened if _is_of_chest(tokens, k + 1)), None)
     if at is None:
@@ -119,14 +119,14 @@ def _cut_open(tokens: Tokens) -> bool:
 
 
 def _is_of_chest(tokens: Tokens, end: int) -> bool:
-    """Whether what stands before the index is said of a chest or its lid."""
+    """Whether the words before the index are about a chest or its lid."""
     if tokens.ends_phrase(end) or tokens.words[end] == "lid":
         return True
     return tokens.first_thing(tokens.qualities_end(end, (*LOOKS, "weather"))) in CHESTS
 
 
 def _riches_begin(tokens: Tokens, end: int) -> int:
-    """Where the riches that end there begin, and there itself if it is something else."""
+    """The start of the riches that end there; the index itself for other words."""
     begin = end
     while begin and begin not in tokens.breaks and tokens.words[begin - 1] in AMONG | SHINING:
         begin -= 1

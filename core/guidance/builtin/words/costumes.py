@@ -1,9 +1,9 @@
-"""What tells who somebody is: what pirates, chefs and farmers wear or hold.
+"""Costumes: what pirates, chefs and farmers wear or hold.
 
 Standard library only.
 """
 
-# What tells a role at sight, by its names.
+# Visible signs of a role, by its names.
 _COSTUMES = {
     "pirate, pirate captain": "wearing a pirate hat",
     "witch, sorceress": "wearing a black wizard hat and a black cape",
@@ -82,14 +82,14 @@ _COSTUMES = {
 
 
 def _each(worn: str) -> tuple[str, ...]:
-    """What is worn and what is held, one by one, each with its verb."""
+    """Worn and held things, one by one, each with its verb."""
     verb, _, rest = worn.partition(" ")
     items = rest.split(" and ")
     return tuple(one if one.startswith("holding") else f"{verb} {one}" for one in items)
 
 
 ROLES = {name: _each(worn) for names, worn in _COSTUMES.items() for name in names.split(", ")}
-# These are said of a kind of small animal too: a soldier ant, a nurse shark, a queen bee.
+# These are also kinds of animals: a soldier ant, a nurse shark, a queen bee.
 OF_KINDS = frozenset(
     """soldier worker king queen emperor carpenter pilot archer nurse doctor surgeon vampire sailor
     captain hunter miner farmer painter""".split()
@@ -98,7 +98,7 @@ KINDS = frozenset(
     """ant bee beetle butterfly caterpillar dragonfly ladybug spider scorpion fish clownfish koi
     pufferfish whale orca shark crab lobster octopus bat penguin snake stingray seahorse""".split()
 )
-# Who has to do with what is named before: a sushi chef, an apple farmer, a bear hunter.
+# Roles related to the word before: a sushi chef, an apple farmer, a bear hunter.
 MAKERS = frozenset(
     """farmer hunter gardener merchant trader baker cook chef butcher surgeon fisherman""".split()
 )

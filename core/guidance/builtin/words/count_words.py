@@ -1,4 +1,4 @@
-"""The words that say how many of a thing there are, and how they lie, as data.
+"""Words for the number of a thing and its arrangement, as data.
 
 Standard library only.
 """
@@ -7,7 +7,7 @@ from typing import Literal
 
 Order = Literal["row", "heap", "stack"]
 
-MOST = 6  # that are counted; of more there are as many as in "many"
+MOST = 6  # the largest exact count; more are as many as "many"
 MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 3
 MIXED = 10  # of all kinds together that fill a container
 FIGURES = {
@@ -22,7 +22,7 @@ MOST_DIGITS = 100  # 1967 is a year
 FEW_WORDS = frozenset("several few some multiple various".split())
 MANY_WORDS = frozenset("many numerous countless".split())
 EVEN_WORDS = {"twin": 2, "dual": 2}
-# Before "of", and what they are for animals and for what is as large as a chair.
+# Before "of", and their meaning for animals and for things as large as a chair.
 SETS = {
     **dict.fromkeys("pair couple duo brace".split(), 2),
     **dict.fromkeys("trio triplet trinity handful set row".split(), FEW),
@@ -45,7 +45,7 @@ LYING: dict[str, Order] = {
     **dict.fromkeys(("piled", "in a pile", "in a heap"), "heap"),
     **dict.fromkeys(("in a row", "in a line", "side by side", "next to each other"), "row"),
 }
-# Their plural names one thing, or our thing is of several by itself.
+# Their plural names one thing, or the thing has several by itself.
 SEVERAL = frozenset(
     """headphones trousers sunglasses scissors grapes fries pancakes maracas binoculars pliers
     goggles crystal popcorn salad ramen pawn""".split()
@@ -55,7 +55,7 @@ DOUBLE = frozenset(("cherry",))  # it is two on one stalk
 PAIRED = frozenset("boot sneaker sandal sock glove".split()) | {
     *("high heel", "roller skate", "boxing glove"),
 }
-LOOSE = 0.6  # metres: what is longer, and what is alive, is in no heap unless that is said
+LOOSE = 0.6  # metres: longer things and living things are in no heap unless that is stated
 BOXES = ("box", "boxes")
 PORTIONS = {f"{one}s": one for one in ("slice", "piece", "wedge", "chunk", "segment", "section")}
 RICHES = frozenset("gold treasure treasures riches loot".split())
@@ -64,7 +64,7 @@ ALIKE = frozenset(
     "dice mice geese people cacti sheep deer oxen koi squid salmon moose teeth firewood".split()
 )
 NO_PLURAL = ("ss", "us", "is", "lens", "gas", "christmas", "canvas")
-# Right behind a number these are what the thing has: "two headed dragons", "3 seater sofas".
+# Right behind a number these are parts of the thing: "two headed dragons", "3 seater sofas".
 OF_PARTS = frozenset(
     """tone toned story storey storied seater tier tiers tiered piece pack player way speed door
     wheel wheeled leg legged string stringed karat carat year page sided pointed headed eyed eared
@@ -72,6 +72,6 @@ OF_PARTS = frozenset(
     layer layered""".split()
 )
 WITHIN = 6  # words from the number to the name, at most
-# Of these one is as much as fills a bowl.
+# One of these fills a bowl.
 IN_ONE_HEAP = frozenset(("grapes", "hay bale"))
 PORTION = "five"  # of food on a plate

@@ -1,6 +1,6 @@
-"""How many of a thing a prompt wants, and how they lie: "two apples", "a pile of gold coins".
+"""The requested number of a thing and its arrangement: "two apples", "a pile of gold coins".
 
-The words for it are taken out before the rest is read. Standard library only.
+The words for it are taken out before the rest is parsed. Standard library only.
 """
 
 from dataclasses import dataclass
@@ -54,16 +54,16 @@ from core.guidance.builtin.words.words import (
 
 
 class Counted(NamedTuple):
-    """How many of it, how they lie, and the word that says so, "" for a plain plural."""
+    """The number, the arrangement, and the word for them, "" for a plain plural."""
 
     count: int = 1
     order: Order = "row"
-    said: str = ""
+    stated: str = ""
 
 
 @dataclass
-class _Said:
-    """What a number or a word such as "pile" says, and the index behind it."""
+class _StatedCount:
+    """The meaning of a number or a word such as "pile", and the index behind it."""
 
     end: int
     count: int
@@ -74,7 +74,7 @@ class _Said:
 
 
 class _Head(NamedTuple):
-    """Where the name of the thing stands, and whether there are several of it."""
+    """The place of the thing's name, and whether it is plural."""
 
     begin: int
     end: int
@@ -85,18 +85,18 @@ class _Head(NamedTuple):
 
 
 def set_counts_apart(tokens: Tokens) -> Counted:
-    """Take out how many there are of the first thing, where as many can be made."""
+    """Take out the number of the first thing, where that many can be made."""
     for at in range(len(tokens.words)):
         named = tokens.first_thing(at)
-        said = _said(tokens, at)
-        if named and not (said and _is_more_than_name(tokens, at, named)):
+        stated = _stated_count(tokens, at)
+        if named and not (stated and _is_more_than_name(tokens, at, named)):
             break
-        if said is None or not _begins(tokens, at, said):
+        if stated is None or not _begins(tokens, at, stated):
             continue
-        if said.is_pile:
-            _name_what_is_piled(tokens, said.end)
-        head = _head(tokens, said.end)
-        return _taken(tokens, at, said, head) if head else Counted()
+        if stated.is_pile:
+            _name_what_is_piled(tokens, stated.end)
+        head = _head(tokens, stated.end)
+        return _taken(tokens, at, stated, head) if head else Counted()
     return _plain(tokens)
 
 
@@ -107,7 +107,7 @@ def is_many(tokens: Tokens) -> bool:
 
 
 def named_singly(phrase: str, tokens: Tokens) -> str:
-    """The phrase with its thing's name in the singular: "old books" name no stack of books."""
+    """The phrase with its thing's name in the singular: "old books" is not a stack of books."""
     head = _head(tokens, 0)
     if head is None:
         return phrase
@@ -116,78 +116,78 @@ def named_singly(phrase: str, tokens: Tokens) -> str:
     return phrase[: phrase.lower().rindex(last)] + single if single and last in phrase else phrase
 
 
-def _said(tokens: Tokens, at: int) -> _Said | None:
-    """What the word at the index says of how many there are."""
+def _stated_count(tokens: Tokens, at: int) -> _StatedCount | None:
+    """The count of the word at the index."""
     words = tokens.words
     word, behind = words[at], words[at + 1 : at + 2]
     if at + 1 in tokens.breaks:
         return None
     if word == "half" and "dozen" in words[at + 1 : at + 3]:
         end = words.index("dozen", at) + 1
-        return _Said(end + (words[end : end + 1] == ["of"]), MOST, is_number=True)
+        return _StatedCount(end + (words[end : end + 1] == ["of"]), MOST, is_number=True)
     if number := _number(word):
         pairs = behind == ["pairs"] and words[at + 2 : at + 3] == ["of"]
         end, number = (at + 3, 2 * number) if pairs else (at + 1, number)
         return _exactly(end, number)
     if word in EVEN_WORDS:
-        return _Said(at + 1, EVEN_WORDS[word], is_number=True)
+        return _StatedCount(at + 1, EVEN_WORDS[word], is_number=True)
     of = behind == ["of"]
     end = at + 1 + of
     if word in FEW_WORDS and not (word == "some" and of):
-        return _Said(end, FEW, is_vague=True)
+        return _StatedCount(end, FEW, is_vague=True)
     if word in MANY_WORDS:
-        return _Said(end, MANY, "heap", is_vague=True)
+        return _StatedCount(end, MANY, "heap", is_vague=True)
     if not of and word not in WITHOUT_OF:
         return None
     inner = _number(words[end]) if end < len(words) and end not in tokens.breaks else 0
     if word in HEAPS:
         count = min(inner, HEAPED) or HEAPED
-        return _Said(end + bool(inner), count, "heap", is_pile=True)
+        return _StatedCount(end + bool(inner), count, "heap", is_pile=True)
     if word in STACKS:
         count = min(inner, MOST) or STACKED
-        return _Said(end + bool(inner), count, "stack", is_pile=True)
+        return _StatedCount(end + bool(inner), count, "stack", is_pile=True)
     if inner:
         return _exactly(end + 1, inner) if word in {*SETS, *GROUPS} else None
     if word in SETS:
-        return _Said(end, SETS[word], is_number=SETS[word] == 2)
-    return _Said(end, MANY, "heap") if word in GROUPS else None
+        return _StatedCount(end, SETS[word], is_number=SETS[word] == 2)
+    return _StatedCount(end, MANY, "heap") if word in GROUPS else None
 
 
-def _exactly(end: int, number: int) -> _Said:
+def _exactly(end: int, number: int) -> _StatedCount:
     if number > MOST:
-        return _Said(end, MANY, "heap", is_number=True)
-    return _Said(end, number, is_number=True)
+        return _StatedCount(end, MANY, "heap", is_number=True)
+    return _StatedCount(end, number, is_number=True)
 
 
 def _number(word: str) -> int:
-    """The number that a word is from two on, or 0."""
+    """The number of a word, from two on, or 0."""
     if word.isascii() and word.isdigit():
         return int(word) if len(word) < 4 and 2 <= int(word) <= MOST_DIGITS else 0
     return FIGURES.get(word, 0)
 
 
 def _is_more_than_name(tokens: Tokens, at: int, named: str) -> bool:
-    """Whether a thing's name only begins with how many there are: "pair of socks", and "three
-    candles", which may be a candelabra's."""
+    """Whether a thing's name only starts with a count: "pair of socks", and "three candles", which
+    may be a candelabra's."""
     name = next(phrase for phrase in tokens.phrases(at) if tokens.thing(phrase))
     number, _, rest = name.partition(" ")
     group = not rest and number in GROUPS | HEAPS  # "a school of fish"
     return group or named in PAIRED or bool(_number(number) and tokens.thing(rest))
 
 
-def _begins(tokens: Tokens, at: int, said: _Said) -> bool:
-    """Whether how many there are of the first thing is said at the index, and not what a part of
-    it has: "a two headed dragon"."""
+def _begins(tokens: Tokens, at: int, stated: _StatedCount) -> bool:
+    """Whether a count of the first thing is at the index, not of its parts: "a two headed
+    dragon"."""
     before = tokens.words[at - 1] if at else ""
-    ahead = tokens.words[said.end : said.end + 1]
+    ahead = tokens.words[stated.end : stated.end + 1]
     clause = max((k for k in tokens.breaks if k <= at), default=0)
     if any(tokens.entry(word) for word in tokens.words[:clause]) or not ahead:
         return False
-    if said.is_number and (
+    if stated.is_number and (
         not OF_PARTS.isdisjoint(ahead) or ahead[0].isdigit() or len(ahead[0]) < 2
     ):
         return False
-    if said.end != at + 1 or said.is_pile:  # "a big pile of"
+    if stated.end != at + 1 or stated.is_pile:  # "a big pile of"
         before = next((w for w in reversed(tokens.words[:at]) if w in PHRASE_ENDS), "")
         return before in ("", "of", *ARTICLES)
     if before in ("a", "an"):
@@ -199,7 +199,7 @@ def _begins(tokens: Tokens, at: int, said: _Said) -> bool:
 
 
 def _head(tokens: Tokens, begin: int) -> _Head | None:
-    """The name of the thing that is spoken of from the index on."""
+    """The thing's name at or behind the index."""
     found, portions = None, False
     at = begin
     while at < min(len(tokens.words), begin + WITHIN + LONGEST):
@@ -220,8 +220,8 @@ def _head(tokens: Tokens, begin: int) -> _Head | None:
 
 
 def _of_many(tokens: Tokens, at: int) -> str:
-    """The singular of the word there, where that begins a name of what there are several of:
-    "cups of coffee", "slices of pizza"."""
+    """The singular of the word there, where that starts a name for several of a thing: "cups of
+    coffee", "slices of pizza"."""
     words = tokens.words[at : at + LONGEST]
     if words[1:2] != ["of"] or not tokens.breaks.isdisjoint((at + 1, at + 2)):
         return ""
@@ -253,7 +253,7 @@ def _single(tokens: Tokens, head: _Head) -> str:
 
 
 def _name_what_is_piled(tokens: Tokens, begin: int) -> None:
-    """ "A pile of gold" is of coins, "a stack of boxes" of cardboard boxes."""
+    """ "A pile of gold" consists of coins, "a stack of boxes" of cardboard boxes."""
     end = next((k for k in range(begin, len(tokens.words)) if tokens.ends_phrase(k + 1)), begin)
     word = tokens.words[end]
     if word in RICHES and tokens.thing(COINS[-1]):
@@ -262,39 +262,39 @@ def _name_what_is_piled(tokens: Tokens, begin: int) -> None:
         tokens.put(end, end + 1, ["cardboard", "boxes"])
 
 
-def _taken(tokens: Tokens, at: int, said: _Said, head: _Head) -> Counted:
-    """Take the words out, if there may be several of the thing whose name stands there."""
+def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counted:
+    """Take the words out, if several of the thing named there are possible."""
     words = tokens.words
     pile = " ".join([*words[at : at + 2], words[head.end - 1]])  # "a stack of old books"
     if not head.is_plural or tokens.thing(pile) in SEVERAL:
         return Counted()
-    is_exact = said.is_number and said.count != MANY
-    if (is_exact or said.is_pile) and (single := _single(tokens, head)):
+    is_exact = stated.is_number and stated.count != MANY
+    if (is_exact or stated.is_pile) and (single := _single(tokens, head)):
         words[head.end - 1] = single
     noun = tokens.thing(head.name(tokens))
     word = words[at]
     if noun in SEVERAL:
-        tokens.cut(at, said.end)
+        tokens.cut(at, stated.end)
         tokens.notes += [] if word in SAY_LITTLE else [f"{word}: one thing is made at a time."]
         return Counted()
-    count, order = _fitting(noun, said)
+    count, order = _fitting(noun, stated)
     if word == "some" and noun in PAIRED:
         count = 2
     if _number(word) > MOST:
         tokens.notes.append(f"{word}: {count} are made.")
-    for k in reversed(range(said.end, head.begin)):
+    for k in reversed(range(stated.end, head.begin)):
         if words[k] in LAID:
             order = "stack"
             tokens.cut(k, k + 1)
     order = _cut_how_it_lies(tokens, head.end) or order
-    tokens.cut(at, said.end)
-    if said.is_pile:
+    tokens.cut(at, stated.end)
+    if stated.is_pile:
         _leave_its_size(tokens, at)
     return Counted(count, order, word)
 
 
 def _cut_how_it_lies(tokens: Tokens, begin: int) -> Order | None:
-    """Take out that they are "stacked on top of each other", "in a row"; how they lie so."""
+    """Take out "stacked on top of each other", "in a row"; the arrangement."""
     for at in range(begin, len(tokens.words)):
         for text, order in LYING.items():
             words = text.split()
@@ -304,22 +304,22 @@ def _cut_how_it_lies(tokens: Tokens, begin: int) -> Order | None:
     return None
 
 
-def _fitting(noun: str, said: _Said) -> tuple[int, Order]:
-    """How many there are of the thing, and how such things lie."""
-    count = (said.count + 1) // 2 if noun in DOUBLE and not said.is_pile else said.count
-    loose = said.is_pile or (not is_creature(noun) and usual(noun)[0] <= LOOSE)
-    return count, said.order if loose else "row"
+def _fitting(noun: str, stated: _StatedCount) -> tuple[int, Order]:
+    """The number of the thing, and the arrangement of such things."""
+    count = (stated.count + 1) // 2 if noun in DOUBLE and not stated.is_pile else stated.count
+    loose = stated.is_pile or (not is_creature(noun) and usual(noun)[0] <= LOOSE)
+    return count, stated.order if loose else "row"
 
 
 def _leave_its_size(tokens: Tokens, at: int) -> None:
-    """A huge pile is one of the same things."""
+    """A huge pile consists of the same things."""
     for k in reversed(range(at)):
         if tokens.words[k] in SIZE_WORDS:
             tokens.cut(k, k + 1)
 
 
 def _plain(tokens: Tokens) -> Counted:
-    """A plain plural is one of it, but for what comes in pairs, and what is stacked."""
+    """A plain plural is one of it, except for pairs and stacks."""
     at = next((k for k in range(len(tokens.words)) if tokens.has_thing(k)), None)
     if at is None:
         return Counted()

@@ -1,7 +1,7 @@
-"""What a prompt wants written or drawn on the thing: "a sign that says OPEN", "a mug with a red
-heart", "a race car with the number 7", "a sports car with white racing stripes".
+"""Texts and shapes to draw on the thing: "a sign that says OPEN", "a mug with a red heart",
+"a race car with the number 7", "a sports car with white racing stripes".
 
-It is taken out of the prompt before the rest is read. Standard library only.
+They are taken out of the prompt before the rest is parsed. Standard library only.
 """
 
 import re
@@ -17,14 +17,14 @@ STRIPES = "racing stripes"
 
 
 class Emblem(NamedTuple):
-    """What is drawn: a text, or a shape."""
+    """A text or a shape to draw."""
 
     text: str = ""
     shape: str = ""  # of ``SHAPES``, or ``STRIPES``
-    color: str = ""  # or a metal; "" is its own, or what stands out
+    color: str = ""  # or a metal; "": its own, or a visible one
     color_form: str = ""
-    on: str = ""  # a part by its word, where that is said
-    side: str = ""  # front, side, top or back, where that is said
+    on: str = ""  # a part by its word, where stated
+    side: str = ""  # front, side, top or back, where stated
     is_scattered: bool = False  # many of the shape, all over
 
     def __str__(self) -> str:
@@ -33,7 +33,7 @@ class Emblem(NamedTuple):
         return f"{self.color_form} {drawn}".strip()
 
 
-# By the words for each. What is always flat is drawn on a thing that comes with it.
+# By their words. Shapes that are always flat are drawn on a thing "with" them.
 FLAT = {
     "heart": "heart, love heart",
     "star": "star",
@@ -48,7 +48,7 @@ FLAT = {
     "music note": "music note, musical note",
     "paw print": "paw print, pawprint",
 }
-# These are things too, and are drawn where that is said: "with an anchor on it", "a crown logo".
+# These are things too, and are drawn where stated: "with an anchor on it", "a crown logo".
 ALSO_THINGS = {
     "skull": "skull",
     "moon": "crescent moon, moon, crescent",
@@ -79,7 +79,7 @@ SIGNS = {  # by a letter of the font
 
 
 def plural(name: str) -> str:
-    """Of a shape."""
+    """The plural of a shape."""
     irregular = {
         "skull and crossbones": "skulls and crossbones",
         "leaf": "leaves",
@@ -94,7 +94,7 @@ def _forms(table: dict[str, str]) -> dict[str, str]:
 
 
 FLAT_FORMS, THING_FORMS, SIGN_FORMS = map(_forms, (FLAT, ALSO_THINGS, SIGNS))
-# By what names several of them; of spots there is a pattern.
+# By words for several of them; spots are a pattern.
 _NO_MANY = ("cross", "circle", "ring", "smiley", "check mark")
 MANY_FORMS = {
     plural(form): form
@@ -144,7 +144,7 @@ _TITLE = re.compile(r"((?:[A-Z0-9&][\w!?&.'-]*|-)(?: (?:[A-Z0-9&][\w!?&.'-]*|-))
 _ENDS = rf"(?!(?:on|in|at|with|and|or|made|of|next|under|above|from|for|to|by|{_MADE})\b)"
 _PLAIN = re.compile(rf"(?!(?:an?|the) )({_ENDS}[\w!?&.'-]+(?: {_ENDS}[\w!?&.'-]+){{0,7}})")
 _NUMBER = re.compile(r"([A-Z]{0,3}-?\d{1,4}|[A-Z])\b")
-# What a text follows, and what it may be then.
+# Words before a text, and its forms then.
 _OPENERS = (
     (
         _rule(rf"(?:{_WITHS}|and) {_A}{_COLOR}{_WORD}(?: (?:{_SAYS}|of))?:? "),
@@ -167,10 +167,10 @@ _OPENERS = (
     ),
     (_rule(r"with (?=(?:(?!and )[\w']+ ){1,5}written\b)"), (_QUOTED, _CAPITALS, _PLAIN)),
 )
-# The same, where it is said how or where it is: "with FRAGILE on it".
+# The same with its manner or place: "with FRAGILE on it".
 _BY_THE_WAY = _rule(rf"(?:with|and) {_A}{_COLOR}")
 _BARE = _rule(r"(?=[\"“”«'‘])")
-# What may follow what is drawn: its colour, how it is made, where.
+# Words that may follow an emblem: its colour, its manner, its place.
 _TAIL = re.compile(
     rf"(?P<mark> {_MARK})?"
     rf"(?: in {_BOLD}(?:(?P<color>{_any(_COLORS)})(?: {_BOLD}{_INK})?|{_INK})(?!\w))?"
@@ -198,7 +198,7 @@ _SCATTERED = _rule(
     rf"(?:(?<=floral)|(?<=patterned)|(?<=printed)|(?=$|[,.;!]| (?!on top(?! of)\b)"
     rf"(?:{_AFTER}|please|all|{_MADE})\b)(?! in(?:side)? (?:it|them)\b))(?![\w-])"
 )
-# What people have pictures on: what is with it is drawn.
+# Things with pictures on them: a thing "with" them is drawn.
 _BEARING = (
     "t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
     "bottle|potion|jar|box|bag|sack|backpack|cap|medal|plate|skateboard|surfboard|pillow|cushion|"
@@ -210,7 +210,7 @@ _MORE_BEARERS = _rule(
     rf"(?:{_BEARING}|dress|skirt|teapot|teacup|kettle|scarf|socks?|curtains?|umbrella|towel|blanket|"
     r"tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)\b"
 )
-_VESSELS = _rule(r"(?:vase|bowl|pot|goblet)\b")  # where it is said that they are on it
+_VESSELS = _rule(r"(?:vase|bowl|pot|goblet)\b")  # where they are stated to be on it
 _OTHERS = re.compile(r"\b(?:with|wearing|holding|on|in|and|next)\b", re.IGNORECASE)
 _RACING = _rule(
     rf"(?:with {_A})?(?:two |twin |double )?{_COLOR}(?:(?:racing|go[ -]faster|rally) stripes?|"
@@ -223,7 +223,7 @@ _BEHIND = re.compile(rf"({_MADE} |marked |decorated )?{_WITH}", re.IGNORECASE)
 
 
 def emblems_in(prompt: str, but: Collection[str] = ()) -> tuple[tuple[Emblem, ...], str]:
-    """What is to be drawn on the thing, stripes first, and the prompt without it; no shapes of
+    """The emblems of the thing, stripes first, and the prompt without them; no shapes of
     ``but``."""
     found: list[Emblem] = []
     while len(found) < MOST:
@@ -236,7 +236,7 @@ def emblems_in(prompt: str, but: Collection[str] = ()) -> tuple[tuple[Emblem, ..
 
 
 def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, str]:
-    """The first of them, and the prompt without it."""
+    """The first emblem, and the prompt without it."""
     for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
         after = prompt[end:]
         also = _ALSO.sub(" with ", after, count=1)
@@ -251,17 +251,17 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
 
 
 def drawn_in(prompt: str) -> list[tuple[Emblem, int, int]]:
-    """All that may be drawn, and where in the prompt that is said."""
+    """All possible emblems, and their places in the prompt."""
     return [*_texts(prompt), *_shapes(prompt)]
 
 
 def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
-    """The texts, and where in the prompt they are written about."""
-    shouted = prompt == prompt.upper()  # all of it in capitals: these say nothing
+    """The texts, and the places of their phrases in the prompt."""
+    shouted = prompt == prompt.upper()  # all of it in capitals: no sign of a text
     for opener, kinds in (*_OPENERS, (_BY_THE_WAY, (_QUOTED, _CAPITALS)), (_BARE, (_QUOTED,))):
         for match in opener.finditer(prompt):
-            told = (k for k in kinds if not (shouted and k in (_CAPITALS, _TITLE)))
-            found = next(filter(None, (kind.match(prompt, match.end()) for kind in told)), None)
+            stated = (k for k in kinds if not (shouted and k in (_CAPITALS, _TITLE)))
+            found = next(filter(None, (kind.match(prompt, match.end()) for kind in stated)), None)
             tail = found and _TAIL.match(prompt, found.end())
             if not found or not tail:
                 continue
@@ -273,12 +273,12 @@ def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
             if opener is _BARE and not (tail[0] or _is_written(text, prompt[end:])):
                 continue
             if 0 < len(text) <= MOST_LETTERS and text.isascii():
-                said = match.groupdict().get("color") or tail["color"] or tail["after"]
-                yield Emblem(text, "", *_color(said), *_place(tail)), match.start(), end
+                given = match.groupdict().get("color") or tail["color"] or tail["after"]
+                yield Emblem(text, "", *_color(given), *_place(tail)), match.start(), end
 
 
 def _is_written(text: str, after: str) -> bool:
-    """Whether a quoted text is meant to be there, and is no doubtful word: a 'vintage' car."""
+    """Whether a quoted text is to be written, not a doubtful word: a 'vintage' car."""
     if text.lower() in LEXICON and text != text.upper():
         return False
     beside = re.match(r"\W*$|[,.;]", after) or _BEARERS.match(after.lstrip())
@@ -286,7 +286,7 @@ def _is_written(text: str, after: str) -> bool:
 
 
 def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
-    """The shapes, and where in the prompt they are written about."""
+    """The shapes, and the places of their phrases in the prompt."""
     for match in _RACING.finditer(prompt):
         yield Emblem("", STRIPES, *_color(match["color"])), match.start(), match.end()
     yield from _scattered(prompt)
@@ -294,9 +294,9 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         tail = _TAIL.match(prompt, match.end())
         form = re.sub("[ -]", " ", match["shape"].lower())
         follows = _BEHIND.match(match[0])  # "a mug with a heart", or "a heart print mug"
-        said = match["mark"] or (follows and (follows[1] or (tail and tail[0])))
+        given = match["mark"] or (follows and (follows[1] or (tail and tail[0])))
         flat = form not in THING_FORMS or (form not in PARTS_TOO and _BEARERS.search(prompt))
-        if not tail or not (said or (follows and flat)):
+        if not tail or not (given or (follows and flat)):
             continue
         text, shape = SIGN_FORMS.get(form, ""), FLAT_FORMS.get(form) or THING_FORMS.get(form, "")
         color = _color(match["color"] or tail["color"] or tail["after"])
@@ -307,7 +307,7 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
 
 
 def _scattered(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
-    """The shapes of which there are many, and where in the prompt they are written about."""
+    """The shapes drawn many times, and the places of their phrases in the prompt."""
     for match in _SCATTERED.finditer(prompt):
         form = re.sub("[ -]", " ", match["shape"].lower())
         is_floral = form == "floral"
@@ -324,8 +324,8 @@ def _scattered(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         painted = re.match(rf"{_MADE}|covered|decorated", match[0]) or re.match(
             rf" {_MADE}", tail[0]
         )
-        said = is_floral or match["mark"] or match["all"] or painted or on_it
-        if not (said or (follows and flat)):
+        given = is_floral or match["mark"] or match["all"] or painted or on_it
+        if not (given or (follows and flat)):
             continue
         shape = FLAT_FORMS.get(form) or THING_FORMS[form]
         color = _color(match["color"] or tail["color"] or tail["after"])
@@ -336,7 +336,7 @@ def _scattered(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
 
 
 def _drawable(text: str) -> str:
-    """The text in the letters that are there: without accents."""
+    """The text in available letters: without accents."""
     plain = unicodedata.normalize("NFKD", text.replace("’", "'"))
     return "".join(c for c in plain if not unicodedata.combining(c)).strip(" .,")
 
@@ -347,6 +347,6 @@ def _place(tail: re.Match[str]) -> tuple[str, str]:
 
 
 def _color(phrase: str | None) -> tuple[str, str]:
-    """The colour's or the metal's word, and its form."""
+    """The word of the colour or of the metal, and its form."""
     form = re.sub("[ -]+", " ", phrase or "").lower()
     return _COLORS.get(form, ""), form

@@ -1,4 +1,4 @@
-"""What fills a container, and what lies on a plate: "a basket of apples", "a plate of croissants".
+"""Contents of a container, and food on a plate: "a basket of apples", "a plate of croissants".
 
 Standard library only.
 """
@@ -50,7 +50,7 @@ LARGEST = 2.0  # times as long as what it is in
 
 
 class Named(NamedTuple):
-    """A phrase with the thing's name as it names one of several, and whether it names several."""
+    """A phrase with its thing's name in the singular, and whether it names several."""
 
     phrase: str
     is_many: bool
@@ -59,15 +59,15 @@ class Named(NamedTuple):
 
 @cache
 def named(phrase: str) -> Named:
-    """What a phrase names, of whatever number."""
+    """The thing of a phrase in any number."""
     tokens = Tokens.of(phrase, SLOTS)
     many, single = is_many(tokens), named_singly(phrase, tokens)
-    counted = bool(set_counts_apart(Tokens.of(phrase, SLOTS)).said)
+    counted = bool(set_counts_apart(Tokens.of(phrase, SLOTS)).stated)
     return Named(phrase if counted else single, many, counted)
 
 
 def may_fill(container: str, way: str, phrase: str) -> bool:
-    """Whether it says what is in the container, and not what is printed on it."""
+    """Whether it is in the container, not printed on it."""
     if named_in(phrase) in known_as.FLOWERS and container in known_as.VESSELS:
         return True
     if container == PLATE and named_in(phrase) in FOOD:  # then the food is the thing
@@ -81,7 +81,7 @@ def may_fill(container: str, way: str, phrase: str) -> bool:
 
 
 def length(noun: str, phrase: str) -> float:
-    """How long the thing is that a phrase names, metres."""
+    """The length of a phrase's thing, metres."""
     return usual(noun, toy=bool(_SMALL.search(phrase)))[0]
 
 
@@ -91,7 +91,7 @@ def fills(phrase: str) -> bool:
 
 
 def may_hold(container: str, phrase: str) -> bool:
-    """Whether the container is said to have it "in it"."""
+    """Whether it is stated to be "in" the container."""
     noun = named_in(phrase)
     fits = bool(noun) and length(noun, phrase) <= LARGEST * usual(container)[0]
     fits &= not known_as.is_building(noun)
@@ -100,7 +100,7 @@ def may_hold(container: str, phrase: str) -> bool:
 
 
 def filling(words: Words, phrase: str, container: str) -> Words | None:
-    """Of what is in the container as much as there is to see; None: it is too large, or a meal."""
+    """The visible amount of a container's content; None: it is too large, or a meal."""
     noun = words.noun
     flower = noun in known_as.FLOWERS
     if not flower and words.usual()[0] > LARGEST * usual(container)[0]:
@@ -116,7 +116,7 @@ def filling(words: Words, phrase: str, container: str) -> Words | None:
 
 
 def portion(noun: str, phrase: str) -> str:
-    """The food on a plate as a prompt by itself, or "" if it is a meal or no food."""
+    """The food on a plate as a prompt by itself; "" for a meal or other things."""
     own = named(phrase)
     if noun not in FOOD or noun in SEVERAL or not own.is_many:
         return ""

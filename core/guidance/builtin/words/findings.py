@@ -1,4 +1,4 @@
-"""What a prompt's words were found to say, and the notes on it. Standard library only."""
+"""The words of a parsed prompt, and the notes on it. Standard library only."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
@@ -17,44 +17,45 @@ from core.guidance.builtin.words.sorts import Sort
 from core.guidance.builtin.words.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
-MANY_LEGS = "four legs"  # where several are meant and none is counted
+MANY_LEGS = "four legs"  # where several are meant without a count
 NOT_APART = "that is not a separate part here"
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
 
 
 @dataclass
 class Findings:
-    """A prompt's words by slot, what is said of parts, and what has no effect."""
+    """A prompt's words by slot, the descriptions of parts, and words without effect."""
 
     known: Vocabulary
     found: dict[str, list[Entry]] = field(default_factory=lambda: {slot: [] for slot in FOUND})
     parts: list[StatedPart] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)  # all that has no effect, in order
-    aside: list[str] = field(default_factory=list)  # accessories, which have no effect either
+    left_out: list[str] = field(default_factory=list)  # all words without effect, in order
+    aside: list[str] = field(default_factory=list)  # accessories, also without effect
     qualifiers: list[str] = field(default_factory=list)  # of ``left_out``, before a noun
-    refused: list[str] = field(default_factory=list)  # without which the prompt is another
+    refused: list[str] = field(default_factory=list)  # essential to the prompt
     notes: list[str] = field(default_factory=list)
     is_statue: bool = False
     is_toy: bool = False
     size_words: list[str] = field(default_factory=list)  # "small" and the like, of the whole
     young: list[str] = field(default_factory=list)  # "cub" and the like, behind the noun
-    scale: float = 1.0  # how many times its usual size the thing is
-    figure: Entry | None = None  # the colour of stripes or dots, which lie on the thing's own
+    scale: float = 1.0  # factor on the thing's usual size
+    figure: Entry | None = None  # the colour of stripes or dots on the thing's own
     sizes: list[Size] = field(default_factory=list)
-    sort: Sort = field(default_factory=Sort)  # by a shape that is a sort of the thing
-    counted: Counted = field(default_factory=Counted)  # how many there are of the thing
+    sort: Sort = field(default_factory=Sort)  # named by a shape that is a sort of the thing
+    counted: Counted = field(default_factory=Counted)  # number of the thing
 
     @property
     def thing(self) -> str:
-        """The first noun, or none."""
+        """The first noun, or ""."""
         return self.found["noun"][0].word if self.found["noun"] else ""
 
     def counts(self) -> dict[str, int]:
-        """How many words each slot has."""
+        """The number of words in each slot."""
         return {slot: len(found) for slot, found in self.found.items()}
 
     def taken_back(self, before: dict[str, int]) -> list[str]:
-        """Take back what was found since the slots had as many words as ``before``; the forms."""
+        """Take back the words found since the slots had as many words as ``before``; their
+        forms."""
         taken = []
         for slot, count in before.items():
             taken += [entry.form for entry in self.found[slot][count:]]
@@ -66,7 +67,7 @@ class Findings:
         return list(dict.fromkeys(entry.word for entry in self.found[slot]))
 
     def only(self, slot: str) -> str:
-        """The slot's one word, or none; the first of some: "a wooden and metal chair"."""
+        """The slot's one word, or ""; the first of several: "a wooden and metal chair"."""
         words = self.words(slot)
         if slot == "noun" and len(words) > 1:
             raise two_error("thing", words)
@@ -76,14 +77,14 @@ class Findings:
         return words[0] if words else ""
 
     def size(self) -> Size | None:
-        """The stated size; the first of some, as the rest would stretch the thing."""
+        """The stated size; the first of several, as the others would stretch the thing."""
         for more in self.sizes[1:]:
             self.leave_aside([f"{more.metres:g} m"], "one size is taken")
         return self.sizes[0] if self.sizes else None
 
     def kind_size(self) -> float:
-        """How long the kind of thing is that was written, in metres; 0: as the thing itself. The
-        smallest of some: "a labrador puppy"."""
+        """The length of the kind as written, in metres; 0: as the thing itself. The smallest of
+        several: "a labrador puppy"."""
         own = []
         for entry in self.found["noun"]:
             size = KIND_SIZES.get(entry.word, {}).get(entry.form)
@@ -93,13 +94,13 @@ class Findings:
         return min(own, default=0.0)
 
     def leave_aside(self, forms: list[str], why: str) -> None:
-        """Leave what belongs together out, for a reason of its own."""
+        """Leave out forms that belong together, with a reason of their own."""
         self.aside += forms
         self.notes.append(f"{' '.join(forms)}: left out, as {why}.")
 
-    def take_as_sort(self, said: Collection[str]) -> None:
-        """What names a sort of the thing is not left out, and is no shape of its own."""
-        forms = [one for form in said for one in (form, f"{form}s")]
+    def take_as_sort(self, given: Collection[str]) -> None:
+        """Keep words for a sort of the thing, which is not a shape of its own."""
+        forms = [one for form in given for one in (form, f"{form}s")]
         words = {word for form in forms for word in (form, *form.split())}
         self.left_out = [one for one in self.left_out if not words.issuperset(one.split())]
         self.aside = [one for one in self.aside if one not in words]
@@ -107,8 +108,8 @@ class Findings:
         self.found["shape"] = [one for one in self.found["shape"] if one.form not in words]
 
     def strange_parts(self) -> list[StatedPart]:
-        """Take out the parts that the thing never has: icing on a torus. What may be stated of it
-        is refused where it is not known."""
+        """Take out parts that the thing never has, such as icing on a torus; a part that may be
+        stated is refused where it is unknown."""
         strange = [
             part
             for part in self.parts
@@ -121,7 +122,7 @@ class Findings:
         return strange
 
     def narrower(self) -> list[str]:
-        """A note for each word that stands for less than what is made for it."""
+        """A note for each word that is made as a wider one."""
         of_parts = [part.material for part in self.parts if part.material]
         return [
             f"{entry.form}: {MADE_AS.get(entry.slot, 'made as')} "
@@ -131,13 +132,13 @@ class Findings:
         ]
 
     def omissions(self) -> list[str]:
-        """Notes for all that is left out. A qualifier comes with the colour or the like that it
-        may mean; there is nothing to suggest for the rest."""
+        """Notes for all words left out. A qualifier comes with the colour or similar that it may
+        mean; the others have no suggestions."""
         left = dict.fromkeys(self.left_out)
         entries = {token: look_up(token, self.known) for token in left}
         looks = [token for token, entry in entries.items() if entry and entry.slot in LOOKS]
         nouns = [token for token, entry in entries.items() if entry and entry.slot == "noun"]
-        things, said = (
+        things, given = (
             [token for token in nouns if (token in self.qualifiers) == only]
             for only in (False, True)
         )
@@ -152,15 +153,15 @@ class Findings:
         notes = {
             f"{', '.join(map(repr, looks))}: left out with the unknown words next to it.": looks,
             f"{', '.join(map(repr, things))}: left out, as one thing is made at a time.": things,
-            f"{', '.join(map(repr, said))}: left out, as it is not drawn.": said,
+            f"{', '.join(map(repr, given))}: left out, as it is not drawn.": given,
             f"{', '.join(map(repr, counts))}: left out, as parts are not counted.": counts,
             f"The built-in model does not know {', '.join(unknown)}: left out.": unknown,
         }
         return [note for note, tokens in notes.items() if tokens]
 
     def colors(self) -> dict[str, Any]:
-        """The first colour, the second, the pattern that a second one implies, the part that the
-        second is for, and what other parts have of their own."""
+        """The first colour, the second, the pattern that a second one implies, the part of the
+        second, and the colours of other parts."""
         entries = self.found["color"]
         colors = list(dict.fromkeys((entry.word, shade(*entry[1:])) for entry in entries))
         for one in colors[2:]:
@@ -182,13 +183,13 @@ class Findings:
         if first and not pattern:
             second, other, target = first.color, first.color_form, first.part
             accents[accents.index(first)] = first._replace(color="", color_form="")
-        told = tuple(accent for accent in accents if any(accent[1:]))
+        stated = tuple(accent for accent in accents if any(accent[1:]))
         found = {"color": color, "second": second, "pattern": pattern, "target": target}
-        return found | {"color_form": form, "second_form": other, "accents": told}
+        return found | {"color_form": form, "second_form": other, "accents": stated}
 
     def _ground(self) -> list[tuple[str, str]]:
-        """The colour of the whole that stripes lie on, taken from what is said of it as of a part:
-        "red paint, white stripes"."""
+        """The colour of the whole below stripes, taken from its description as a part: "red paint,
+        white stripes"."""
         for at, part in enumerate(self.parts):
             if part.form in WHOLE and part.color and not part.pattern:
                 self.parts[at] = part._replace(color="", color_form="")
@@ -196,11 +197,11 @@ class Findings:
         return []
 
     def options(self, noun: str) -> list[str]:
-        """What may be stated of the noun's parts."""
+        """The words that may be stated for the noun's parts."""
         return [state for state in OPTIONS.get(noun, ()) if state in self.known["part"]]
 
     def part(self, noun: str) -> str:
-        """The one word of ``PARTS`` that is stated of the noun, or none."""
+        """The stated word of ``PARTS`` for the noun, or ""."""
         states = []
         for part, there, form, *_ in self.parts:
             state = part if there else f"no {part}"
@@ -215,7 +216,7 @@ class Findings:
         return states[0] if states else ""
 
     def absent(self, noun: str) -> tuple[str, ...]:
-        """The parts that the noun is to be made without."""
+        """The noun's parts that are left out on request."""
         names = []
         for part, there, form, *_ in self.parts:
             if there or not noun:
@@ -237,7 +238,7 @@ PLURAL = frozenset(
 
 
 def with_article(slot: str, word: str) -> str:
-    """A noun with its article; any other word as it is, and what is a pair or many."""
+    """A noun with its article; any other word, a pair or a plural unchanged."""
     if slot != "noun" or word in PLURAL:
         return word
     voiced = word[0] in "aeiou" and not word.startswith(("uni", "uku", "ufo"))

@@ -1,5 +1,4 @@
-"""What a prompt lists with a thing, and where each is: "a desk with a lamp and a mug" is one with
-a lamp on it and a mug on it.
+"""Lists of things with a thing, and their places: "a desk with a lamp and a mug" has both on it.
 
 Standard library only.
 """
@@ -39,10 +38,10 @@ _WHERE = re.compile(
     re.IGNORECASE,
 )
 _PERCHED = re.compile(r" on (?:the|its|an?|one) (?:[\w-]+ )?[\w-]+$", re.IGNORECASE)
-LOOKED_AT = 12  # of a prompt's clauses: all before are read for each
+LOOKED_AT = 12  # of a prompt's clauses: all before are parsed for each
 _UNDER = re.compile(r" (?:under|below|beneath|underneath)\b", re.IGNORECASE)
-# What is said of a thing behind its name.
-_SAID = re.compile(
+# Descriptions of a thing behind its name.
+_STATED = re.compile(
     r" (?:that|in|on|over|under|above|from|for|melted|[a-z]{2,}ing|covered|stuck|asleep|full)\b"
 )
 _CLAUSE = re.compile(
@@ -97,15 +96,15 @@ _ANOTHER = re.compile(r" (?:with|on|in|beside|holding|next to) ", re.IGNORECASE)
 
 
 class Item(NamedTuple):
-    """One of a list."""
+    """One thing of a list."""
 
     phrase: str
     place: Place
-    left_out: str = ""  # what is said of it besides
+    left_out: str = ""  # other words about it
 
 
 class Listed(NamedTuple):
-    """What a prompt lists, between two of its indices."""
+    """A list in a prompt, between two of its indices."""
 
     items: list[Item]
     start: int
@@ -113,14 +112,14 @@ class Listed(NamedTuple):
 
 
 def in_a_row(prompt: str) -> list[str]:
-    """What a prompt is a list of, if it is of three or more: "a fork, a knife and a spoon"."""
+    """The things of a prompt that is a list of three or more: "a fork, a knife and a spoon"."""
     listed = _LISTED.fullmatch(prompt)
     items = _JOIN.split(listed["list"].strip()) if listed else []
     return items if len(items) > 2 else []
 
 
 def turned(prompt: str) -> str:
-    """The prompt with what bears several first: "a lamp and a mug on a desk"."""
+    """The prompt with the support of several things first: "a lamp and a mug on a desk"."""
     listed = _LISTED_ON.fullmatch(prompt)
     if listed is None:
         return prompt
@@ -138,11 +137,11 @@ def turned(prompt: str) -> str:
 def listed_in(
     prompt: str, first_of: Callable[[str], str], is_own: Callable[[str, str], bool]
 ) -> Listed | None:
-    """What the prompt lists first with the thing that it is of.
+    """The first list of a prompt, of things with its thing.
 
     Args:
         first_of: the thing that a text names first, or "".
-        is_own: whether a phrase names what the first thing has by itself.
+        is_own: whether a phrase names a thing that the first has by itself.
     """
     for clause in islice(_CLAUSE.finditer(prompt), LOOKED_AT):
         first = first_of(prompt[: clause.start()])
@@ -155,7 +154,7 @@ def listed_in(
 
 
 def _as_meant(first: str, phrase: str, text: str) -> str:
-    """What is listed with a desk or on a stove by its full name: a mouse of a computer."""
+    """Things with a desk or on a stove by their full names: a computer mouse."""
     if _COMPUTERS.search(text):
         phrase = _MOUSE.sub("computer mouse", phrase)
     if first in TOPS:
@@ -164,23 +163,23 @@ def _as_meant(first: str, phrase: str, text: str) -> str:
 
 
 class _Part(NamedTuple):
-    """A part of a list that is between commas."""
+    """A part of a list between commas."""
 
-    phrase: str  # without what is said of it where it is
-    rest: str  # that is said of it
+    phrase: str  # without its place
+    rest: str  # the words of its place
     text: str  # all of it, with the place
     end: int  # in the list
-    where: Place = ""  # as is said
+    where: Place = ""  # as stated
     edge: bool = False  # on the first thing's edge, its seat
 
 
 def _placed(
     before: str, clause: re.Match[str], first: str, is_own: Callable[[str, str], bool]
 ) -> list[_Part]:
-    """What the clause lists up to the last that has a place, with the places; nothing where it is
-    to stay."""
+    """The things of the clause up to the last with a place, with the places; none where the clause
+    stays as it is."""
     text, full = clause["list"], clause["of"] or (clause["full"] and first not in TOPS)
-    alone = full or clause["on"] or clause["by"]  # what "with" begins is another list
+    alone = full or clause["on"] or clause["by"]  # "with" starts another list
     parts = _parts(re.split(",? with ", text)[0] if alone else text)
     if _is_read_otherwise(clause, first, parts) or (full and not _is_full(before, first, parts)):
         return []
@@ -209,7 +208,7 @@ def _placed(
 
 
 def _is_read_otherwise(clause: re.Match[str], first: str, parts: list[_Part]) -> bool:
-    """Whether it is no list for here: of one with its place, of what somebody holds, of a meal, of
+    """Whether it is another kind of list: one with its place, of held things, of a meal, of
     pictures."""
     several, last = len(parts) > 1, parts[-1]
     if (clause["colon"] and first not in TOPS) or (clause["has"] and known_as.is_dressed(first)):
@@ -226,7 +225,7 @@ def _may_be_drawn(phrase: str) -> bool:
 
 
 def _is_full(before: str, first: str, parts: list[_Part]) -> bool:
-    """Whether the first thing is a container that all of it fills."""
+    """Whether the first thing is a container filled by all of them."""
     if first not in known_as.CONTAINERS or _ANOTHER.search(before):
         return False
     many = [bool(named_in(one.phrase)) and fillings.fills(one.phrase) for one in parts]
@@ -239,7 +238,7 @@ def _is_full(before: str, first: str, parts: list[_Part]) -> bool:
 
 
 def _parts(text: str) -> list[_Part]:
-    """What stands between the commas, up to where it is said where it is."""
+    """The texts between the commas, up to the stated place."""
     end = _END.search(text)
     text = text[: end.start()] if end else text
     found: list[_Part] = []
@@ -250,29 +249,29 @@ def _parts(text: str) -> list[_Part]:
         where = _WHERE.search(phrase)
         stop, whole = at + len(phrase), phrase
         phrase = phrase[: where.start()] if where else phrase
-        said: Place = ""
+        stated: Place = ""
         if where:
-            said = "in" if where["within"] else "by" if where["by"] else "on"
+            stated = "in" if where["within"] else "by" if where["by"] else "on"
         alone = _by_itself(phrase)
         edge = bool(where and where["edge"])
-        found.append(_Part(alone, phrase[len(alone) :], whole, stop, said, edge))
+        found.append(_Part(alone, phrase[len(alone) :], whole, stop, stated, edge))
         if where or join is None:
             return found
         at = join.end()
 
 
 def _by_itself(phrase: str) -> str:
-    """The phrase without what a thing does, or where: "a candle melted over a skull"."""
-    for said in _SAID.finditer(phrase):
-        behind = look_up(phrase[said.end() :].lstrip().split(" ")[0].lower(), SLOTS)
-        is_look = said[0] == " in" and behind is not None and behind.slot == "color"
-        if named_in(phrase[: said.start()]) and not is_look:
-            return phrase[: said.start()]
+    """The phrase without an activity or a place: "a candle melted over a skull"."""
+    for stated in _STATED.finditer(phrase):
+        behind = look_up(phrase[stated.end() :].lstrip().split(" ")[0].lower(), SLOTS)
+        is_look = stated[0] == " in" and behind is not None and behind.slot == "color"
+        if named_in(phrase[: stated.start()]) and not is_look:
+            return phrase[: stated.start()]
     return phrase
 
 
 def _next_join(text: str, begin: int) -> re.Match[str] | None:
-    """Where the item that begins there ends: behind "a basket of apples and oranges", "a mug with
+    """The end of the item that starts there: behind "a basket of apples and oranges", "a mug with
     hearts and stars"."""
     for join in _JOIN.finditer(text, begin):
         item = text[begin : join.start()]
@@ -283,7 +282,7 @@ def _next_join(text: str, begin: int) -> re.Match[str] | None:
 
 
 def _names(phrase: str, bare: bool) -> bool:
-    """Whether the item names one thing, or so many: "a lamp", and no "wooden legs"; it may be
+    """Whether the item names one thing, or a number of them: "a lamp", but not "wooden legs";
     without an article where ``bare``."""
     whole = re.split(" (?:with|in) ", phrase)[0]
     noun = named_in(whole)
@@ -292,7 +291,7 @@ def _names(phrase: str, bare: bool) -> bool:
 
 
 def mixtures_named(prompt: str) -> str:
-    """The prompt with the kinds of what only says "fruit": a bowl of it."""
+    """The prompt with kinds in place of "fruit": a bowl of it."""
     before = _MIXED_BEFORE.match(prompt)
     if before:
         name = f"{before['what']} {before['container']}".lower()

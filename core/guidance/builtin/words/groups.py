@@ -10,7 +10,7 @@ ADJECTIVES = {"Shapes": "shape", "Colors": "color", "Materials": "material", "Pa
 def word_groups() -> list[dict[str, object]]:
     """Groups in a menu's order: ``name``, ``kind`` ("thing", a slot's name or "part"), ``words``.
 
-    A part names the things that may have it, by ``of``.
+    A part names the things that may have it in ``of``.
     """
     known = offered_words()
     groups: list[dict[str, object]] = [

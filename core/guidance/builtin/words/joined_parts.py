@@ -1,4 +1,4 @@
-"""What is said once of two parts: "with golden handle and spout", "the legs and arms are chrome".
+"""One description of two parts: "with golden handle and spout", "the legs and arms are chrome".
 
 Standard library only.
 """
@@ -10,7 +10,7 @@ from core.guidance.builtin.words.part_names import is_wide, own_name
 from core.guidance.builtin.words.tokens import LONGEST, Tokens
 from core.guidance.builtin.words.words import ARTICLES, LOOKS, WITHOUT
 
-# What is of one colour alone, whatever the part before it is of: "red petals and leaves".
+# Parts with a colour of their own, whatever the part before has: "red petals and leaves".
 FIXED_KINDS = ("flesh", "leaf", "foliage", "flame", "embers", "eye", "liquid")
 FIXED = frozenset(
     """teeth tooth tusks whiskers eyes eye cherry cherries crown gold beard hair blade
@@ -18,12 +18,12 @@ FIXED = frozenset(
 )
 EYES = ("eyes", "eye")
 WITH_EYES = ("nose", "mouth", "lips", "buttons", "lights")  # which may look as the eyes do
-SOFT = (GLASS, CLOTH, RUBBER)  # what is so is seldom of anything else, and nothing else of it
+SOFT = (GLASS, CLOTH, RUBBER)  # these looks seldom apply to other parts
 
 
 def set_look_on_both(tokens: Tokens, at: int, thing: str) -> None:
-    """Repeat what is said of the part before the "and" at the index for the one behind it, of
-    which nothing is said."""
+    """Repeat the look of the part before the "and" at the index for the part behind it, which has
+    none."""
     words = tokens.words
     if words[at] != "and" or not tokens.breaks.isdisjoint((at, at + 1)):
         return
@@ -40,16 +40,16 @@ def set_look_on_both(tokens: Tokens, at: int, thing: str) -> None:
     if lacked or not looks or _own(tokens, thing, first) == _own(tokens, thing, second):
         return
     names = (_own(tokens, thing, first), _own(tokens, thing, second))
-    if _may_share(thing, names, (first, second), looks):
-        said = [word for look in looks for word in look.form.split()]
+    if _may_both_have(thing, names, (first, second), looks):
+        stated = [word for look in looks for word in look.form.split()]
         if "and" in words[begin:head]:  # "a red and white striped sail and flag"
-            said = words[begin:head]
-        tokens.put(at + 1, end, [*said, *second.split()])
+            stated = words[begin:head]
+        tokens.put(at + 1, end, [*stated, *second.split()])
 
 
 def first_begins(tokens: Tokens, head: int, thing: str, are: bool) -> int:
-    """Where the name of a part begins that "and" joins to the one at the index, so that what is
-    said behind that is of both: "the wheels and the roof are black"; else the index itself."""
+    """The start of the part that "and" joins to the one at the index, so that the look behind it
+    applies to both: "the wheels and the roof are black"; else the index itself."""
     article = head > 0 and tokens.words[head - 1] in ARTICLES
     at = head - 1 - article
     both = at > 0 and tokens.words[at] == "and" and tokens.breaks.isdisjoint(range(at, head + 1))
@@ -61,16 +61,16 @@ def first_begins(tokens: Tokens, head: int, thing: str, are: bool) -> int:
 
 
 def may_both_be(tokens: Tokens, thing: str, names: tuple[str, str], looks: list[str]) -> bool:
-    """Whether what is said behind the second of two parts may be of the first too."""
+    """Whether the look behind the second of two parts may also be the first's."""
     copied = Tokens(tokens.known, list(looks))
-    said = _looks(copied, 0, len(looks))
+    stated = _looks(copied, 0, len(looks))
     first, second = (_own(tokens, thing, name) for name in names)
-    return bool(said) and _may_share(thing, (second, first), names[::-1], said)
+    return bool(stated) and _may_both_have(thing, (second, first), names[::-1], stated)
 
 
 def part_begins(tokens: Tokens, end: int, thing: str) -> int:
-    """Where the name of a part that ends before the index begins, the thing's or one that it has
-    not; else the index."""
+    """The start of the part name that ends before the index, of the thing's own part or of one that
+    it lacks; else the index."""
     for count in range(min(LONGEST, end), 0, -1):
         begin = end - count
         name = " ".join(tokens.words[begin:end])
@@ -86,20 +86,20 @@ def _has(tokens: Tokens, thing: str, phrase: str) -> bool:
 
 
 def _own(tokens: Tokens, thing: str, phrase: str) -> str:
-    """What the thing itself calls the part: a robot's arms limbs; or ""."""
+    """The thing's own name for the part: a robot's arms are limbs; or ""."""
     entry = tokens.entry(phrase)
     named = entry is not None and entry.slot in ("noun", "part")
     return own_name(thing, phrase) or (own_name(thing, entry.word) if named else "")
 
 
 def _is_look(tokens: Tokens, phrase: str) -> bool:
-    """Whether a phrase is a look, whatever part is called so: "orange", "glass"."""
+    """Whether a phrase is a look, even if a part has that name: "orange", "glass"."""
     entry = tokens.entry(phrase)
     return entry is not None and entry.slot in LOOKS
 
 
 def _looks_begin(tokens: Tokens, head: int) -> int:
-    """Where the looks before the index begin, over an "and" too: "red and white striped"."""
+    """The start of the looks before the index, also across an "and": "red and white striped"."""
     begin = tokens.qualities_begin(head, LOOKS)
     while begin > 1 and begin < head and tokens.words[begin - 1] == "and":
         before = tokens.qualities_begin(begin - 1, LOOKS)
@@ -110,7 +110,7 @@ def _looks_begin(tokens: Tokens, head: int) -> int:
 
 
 def _looks(tokens: Tokens, begin: int, end: int) -> list[Entry]:
-    """The looks between the indices; the shapes, of which a part has none, are no such."""
+    """The looks between the indices, without shapes, which parts do not have."""
     found, at = [], begin
     while at < end:
         toned = tokens.toned(at)
@@ -122,11 +122,11 @@ def _looks(tokens: Tokens, begin: int, end: int) -> list[Entry]:
     return found
 
 
-def _may_share(
+def _may_both_have(
     thing: str, own_names: tuple[str, str], forms: tuple[str, str], looks: list[Entry]
 ) -> bool:
-    """Whether the second of two parts may look as the first does: glass legs are none. By the
-    thing's own names of them, and as they were written."""
+    """Whether the second of two parts may look like the first: not glass legs. By the thing's own
+    names for them, and as written."""
     (own_first, name), (first, second) = own_names, forms
     if first in EYES or not name:
         return bool(name) and second in WITH_EYES

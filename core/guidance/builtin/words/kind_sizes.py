@@ -1,7 +1,7 @@
-"""How long the kinds of a thing are that are made as it and are not of its size.
+"""Lengths of kinds that are made as a thing and differ from it in size.
 
-Of each thing the usual sizes of such kinds: the longest side of an ordinary specimen in metres,
-then who has it. A kind that is not here has the thing's own size. Standard library only.
+For each thing the usual sizes of such kinds: the longest side of an ordinary specimen in metres,
+then the kinds with it. A kind that is not here has the thing's own size. Standard library only.
 """
 
 _ROWS = {
@@ -132,7 +132,7 @@ _ROWS = {
     "beehive": "0.3: wasp nest",
     "bow": "1: compound bow; 1.1: short bow, shortbow",
     "drinking horn": "0.45: war horn, hunting horn, battle horn",
-    # what is eaten
+    # food
     "hamburger": "0.07: slider",
     "bread": "0.1: bun, bread roll; 0.12: toast; 0.65: baguette",
     "croissant": "0.11: danish",
@@ -181,7 +181,7 @@ _ROWS = {
     "cucumber": "0.08: gherkin; 0.1: pickle, pickled cucumber; 0.2: zucchini, courgette",
     "lettuce": "0.04: brussels sprout; 0.12: artichoke; 0.35: kale; 0.4: celery",
     "bamboo plant": "0.3: bamboo shoot; 0.5: lucky bamboo; 8: bamboo forest, bamboo grove",
-    # people, and what is like them
+    # people, and figures like them
     "goblin": "0.6: gremlin; 0.85: kobold; 1.6: hobgoblin; 2.1: bugbear",
     "orc": "2.8: ogre",
     "golem": "5: stone giant",
@@ -396,7 +396,7 @@ _ROWS = {
     "robot arm": "0.25: robot hand, robot gripper",
     "battery": "0.14: power bank; 0.25: car battery",
     "satellite dish": "4: radar antenna; 8: radar station; 25: radio telescope",
-    # what is worn
+    # clothes
     "glove": "0.33: oven mitt; 0.36: gauntlet",
     "handbag": "0.11: wallet; 0.25: clutch; 0.42: tote bag, satchel, messenger bag",
     "suitcase": "0.55: carry on, travel bag; 0.9: travel trunk",
@@ -461,12 +461,12 @@ def _sizes(row: str) -> dict[str, float]:
     return sizes
 
 
-# Metres, by the thing and the kind's name as it is read.
+# Metres, by the thing and the kind's name as parsed.
 KIND_SIZES = {thing: _sizes(row) for thing, row in _ROWS.items()}
 
-# Before the name of somebody alive, or right behind it: "a baby turtle", "a wolf cub".
+# Before the name of a living thing, or right behind it: "a baby turtle", "a wolf cub".
 YOUNG = frozenset("baby cub pup puppy calf chick foal hatchling kitten".split())
-YOUNG_SCALE = 0.4  # of the size of who is grown
+YOUNG_SCALE = 0.4  # of an adult's size
 # Kinds that are young by themselves: "a baby lamb" is a lamb.
 YOUNG_KINDS = YOUNG | frozenset(
     """lamb fawn bambi colt piglet duckling gosling cygnet owlet joey kid child children boy girl

@@ -1,8 +1,7 @@
-"""What the kinds of a thing look like that are made as it, where a prompt names no colour.
+"""Looks of kinds that are made as a thing, where a prompt names no colour.
 
-Of each the colour or the material of the whole or both, or colours with a pattern, then colours of
-parts.
-Standard library only.
+For each the colour or the material of the whole or both, or colours with a pattern, then colours
+of parts. Standard library only.
 """
 
 import re
@@ -31,7 +30,7 @@ _ROWS = {
     "pheasant, partridge, quail": "chestnut",
     "grouse": "umber",
     "chick, baby chick, seagull chick": "yellow",
-    # cats and dogs, and what is like them
+    # cats, dogs and similar animals
     "panther, black panther": "black; spots: charcoal; muzzle: charcoal",
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",
     "lynx, bobcat, cougar": "tan; muzzle: white",
@@ -94,7 +93,7 @@ _ROWS = {
     "mime": "white striped black",
     "stormtrooper, storm trooper": "white; pack: white; boots: white",
     "bigfoot, sasquatch": "umber; face: umber",
-    # what is eaten, and plants
+    # food and plants
     "lime fruit": "lime",
     "plum": "plum purple",
     "lychee": "pink",
@@ -146,7 +145,7 @@ _ROWS = {
     "bottle of milk, milk bottle": "ivory",
     "ketchup, hot sauce": "red",
     "mustard bottle, olive oil": "mustard",
-    # what is worn and driven
+    # clothes and vehicles
     "straw hat, panama hat": "straw",
     "santa hat, santa claus hat, christmas hat": "red; brim: white; pompom: white",
     "chef hat, chef cap, sailor hat, sailor cap": "white; brim: white; pompom: white",
@@ -179,8 +178,8 @@ TABBY_STRIPES = {"orange": "chestnut", "grey": "charcoal", "black": "charcoal", 
 
 
 def look_of_kind(form: str) -> tuple[list[str], dict[str, str]]:
-    """The words for the whole of a kind as it was written, and the colour of each part that has
-    its own; nothing where the thing's own looks are the kind's."""
+    """The words for the whole of a kind as written, and the colour of each part with its own; empty
+    where the thing's own looks are the kind's."""
     whole, *parts = KINDS[form].split("; ") if form in KINDS else [""]
     words = filter(None, re.split(" of | (spotted|striped) ", whole))
     return list(words), dict(part.split(": ") for part in parts)

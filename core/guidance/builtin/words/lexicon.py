@@ -1,6 +1,6 @@
-"""The forms under which words are known, what misspellings are read as, and hints for the rest.
+"""Known forms of words, readings of misspellings, and hints for the rest.
 
-Standard library only: what a prompt means is known without loading a network.
+Standard library only: a prompt is parsed without loading a network.
 """
 
 import re
@@ -46,7 +46,7 @@ Vocabulary = Mapping[str, Collection[str]]  # words by slot
 
 
 class Entry(NamedTuple):
-    """A word of a slot, and the form of it that was written."""
+    """A word of a slot, and its form as written."""
 
     slot: str
     word: str
@@ -54,13 +54,13 @@ class Entry(NamedTuple):
 
     @property
     def is_narrower(self) -> bool:
-        """Whether the form means less than, or something next to, what is made for it. A material
-        that gets its own detail is made as it is called."""
+        """Whether the form means less than, or something next to, the made word. A material with
+        its own detail is made as named."""
         return self.form in NARROWER and not has_own_look(self.form)
 
 
 def forms_of(text: str) -> list[str]:
-    """The forms of a table's row, of which commas part synonyms and a semicolon narrower words."""
+    """The forms of a table's row: commas separate synonyms, a semicolon precedes narrower words."""
     return [form for form in re.split(r"[,;] ", text) if form]
 
 
@@ -82,7 +82,7 @@ def _lexicon() -> tuple[dict[str, tuple[str, str]], frozenset[str]]:
 
 
 def _as_read(form: str) -> str:
-    """A form as the words of a prompt are read, without hyphens and possessives."""
+    """A form as a prompt's words are parsed, without hyphens and possessives."""
     return form.replace("-", " ").replace("'s", "")
 
 
@@ -93,10 +93,10 @@ HISSING = ("s", "x", "z", "ch", "sh", "o")
 MEANT = {form: word for word, text in NEAREST.items() for form in forms_of(text)}
 PART_FORMS = {form: part for part, text in PART_SYNONYMS.items() for form in forms_of(text)}
 COMPOUNDS = tuple(form for form in LEXICON if " " in form)
-# What is meant by what is often written.
+# Meanings of frequent spellings.
 OFTEN = {form.replace(" ", ""): form for form in COMPOUNDS}
 OFTEN |= {form: word for word, text in MISSPELLED.items() for form in text.split()}
-SAID = LEXICON.keys() | IGNORED_ADJECTIVES | FILLER  # words that are no slips of others
+SAID = LEXICON.keys() | IGNORED_ADJECTIVES | FILLER  # words that are not slips of others
 OWN_NAMES = {form for forms in CALLED.values() for form in forms}
 # Parts, whether a thing calls them so or not.
 NAMED = PART_FORMS.keys() | PART_ALSO | WHOLE | TRIM | OWN_NAMES
@@ -104,7 +104,7 @@ PARTS = frozenset(NAMED) | {part for noun in NOUNS.values() for part in noun.loo
 
 
 def look_up(phrase: str, known: Vocabulary) -> Entry | None:
-    """What a phrase means among the ``known`` words: itself, or what it may be the plural of."""
+    """The meaning of a phrase among the ``known`` words: itself, or its possible singular."""
     forms = singulars(phrase)
     for form in forms:
         slot, word = LEXICON.get(form, ("", ""))
@@ -117,7 +117,7 @@ def look_up(phrase: str, known: Vocabulary) -> Entry | None:
 
 
 def singulars(phrase: str) -> list[str]:
-    """The phrase and what it may be the plural of."""
+    """The phrase and its possible singulars."""
     stem = [phrase.removesuffix(plural) + one for plural, one in PLURALS if phrase.endswith(plural)]
     hissing = phrase.removesuffix("es").endswith(HISSING)
     return [phrase, *(one for one in stem if hissing or f"{one}es" != phrase)]  # "tines": no tin
@@ -125,11 +125,11 @@ def singulars(phrase: str) -> list[str]:
 
 def corrected(token: str, also: Iterable[str] = (), no_thing: bool = False) -> str:
     """The known word, or the one of ``also``, of which ``token`` is surely a misspelling, or "";
-    ``no_thing``: no thing's name, if it may be another word.
+    ``no_thing``: not a thing's name, if it may be another word.
 
     One letter missing, doubled, or changed places with its neighbour; in words of six letters and
-    more also one wrong letter after the first; or what the table of misspellings has. Words of
-    other things are no misspellings.
+    more also one wrong letter after the first; or an entry of the table of misspellings. Words of
+    other things are not misspellings.
     """
     if token in OFTEN:
         return OFTEN[token]
@@ -141,7 +141,7 @@ def corrected(token: str, also: Iterable[str] = (), no_thing: bool = False) -> s
 
 
 def corrected_phrase(tokens: list[str]) -> str:
-    """The known name of several words that ``tokens`` begin with but for a slip in one of them, as
+    """The known name of several words at the start of ``tokens`` with a slip in one of them, as in
     :func:`corrected`, or ""."""
     for form in COMPOUNDS:
         words = form.split()
@@ -155,8 +155,8 @@ def corrected_phrase(tokens: list[str]) -> str:
 
 
 def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:
-    """Known words near to ``token``, best first, at most three: near in meaning where the table of
-    meanings has it, else in spelling, as one slip away."""
+    """Known words near to ``token``, best first, at most three: near in meaning by the table of
+    meanings, else in spelling, as one slip away."""
     forms = [form for form in singulars(token) if form in MEANT]
     # A wrong letter in a word of five may be a slip, or another word: enough for a hint alone.
     near = [MEANT[form] for form in forms] or list(_one_slip_away(token, LEXICON, 5))
@@ -164,9 +164,9 @@ def nearest_words(token: str, known: Vocabulary = SLOTS) -> list[str]:
 
 
 def _one_slip_away(token: str, words: Iterable[str], length: int) -> Iterator[str]:
-    """``words`` that ``token`` may be a misspelling of; a wrong letter from ``length`` letters."""
+    """``words`` that ``token`` may misspell; a wrong letter counts from ``length`` letters."""
     forms = [form for form in singulars(token) if len(form) > 3]
-    # Another thing's name is no misspelling, however near it is.
+    # Another thing's name is not a misspelling, however near it is.
     if any(form in MEANT or form in REAL for form in forms):
         return
     # Words of three letters are one slip away from too many others.

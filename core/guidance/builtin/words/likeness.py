@@ -1,4 +1,4 @@
-"""What a prompt's thing is the likeness of, and what that is of. Standard library only.
+"""Likenesses: the thing that a prompt's thing depicts, and their materials. Standard library only.
 
 A statue of a lion is a lion of one material; a stuffed bunny is a small one of plush; a crow is a
 black bird.
@@ -41,11 +41,11 @@ from core.guidance.builtin.words.words import (
 
 WOVEN = "wicker"
 TASTED = "ice cream"
-GROWN = ("Food", "Fruit and Vegetables", "Plants")  # which have more of a fruit than its colour
+GROWN = ("Food", "Fruit and Vegetables", "Plants")  # which take more than the colour of a fruit
 
 
 class Likeness(Clauses):
-    """What is read of a thing's likeness."""
+    """The parsed likeness of a thing."""
 
     def _is_depicted(self, entry: Entry) -> bool:
         """Whether ``entry`` and the noun before it are a thing and its depiction: "a statue of a
@@ -67,14 +67,14 @@ class Likeness(Clauses):
         return True
 
     def _depict(self, form: str) -> bool:
-        """The thing is a statue, a soft toy or the like; whether that says what it is of."""
+        """Make the thing a statue, a soft toy or similar; whether that states its material."""
         self._depicted = form
         self.got.is_statue = form in STATUES
         return form in (*STATUES, *PLUSHIES)
 
     def _take_block(self, material: Entry, end: int) -> None:
-        """A material that all of the thing is said to be of, and not only its coat: "a slate blue
-        horse", "a copper coloured cat"."""
+        """Take the stated material of the whole thing, not only of its coat: "a slate blue horse",
+        "a copper coloured cat"."""
         behind = next(iter(self._tokens.words[end : end + 1]), "")
         color = look_up(behind, self.known) if end not in self._tokens.breaks else None
         if behind in COLORED or (color is not None and color.slot == "color"):
@@ -85,12 +85,12 @@ class Likeness(Clauses):
         self._made_of |= made_of and bool(self.got.found["noun"])
 
     def _is_shaped(self) -> bool:
-        """Whether it is said to come from one block."""
+        """Whether it is stated to come from one block."""
         return not set(SHAPED_OF).isdisjoint(self._tokens.words)
 
-    def _say_what_it_depicts(self) -> None:
-        """A statue is of one material, of stone where none is named, and so is a stone lion. A
-        soft toy is small, and of plush."""
+    def _set_depicted(self) -> None:
+        """Set one material for a statue, stone by default, and for a stone lion. A soft toy is
+        small, and of plush."""
         found, thing = self.got.found["material"], self.got.thing
         usual = "stone" if self.got.is_statue else "plush" if self._depicted in PLUSHIES else ""
         of = look_up(usual, self.known)
@@ -122,7 +122,7 @@ class Likeness(Clauses):
         self.got.is_statue |= solid or (cast if animal else block.word in CARVED)
 
     def _take_toy(self, form: str) -> None:
-        """It is as small as a hand can hold."""
+        """Make it as small as a hand can hold."""
         if self._without:
             self.got.leave_aside(["not", form], NOT_GIVEN)
             return
@@ -133,7 +133,7 @@ class Likeness(Clauses):
         self.got.notes.append(f"{form}: made no longer than {100 * TOY_SIZE:g} cm.")
 
     def _make_as_qualified(self) -> None:
-        """ "A robot dog" is of metal, where nothing else is said."""
+        """ "A robot dog" is of metal by default."""
         for form in (form for form in AS_MATERIAL if form in self.got.qualifiers):
             of = look_up(AS_MATERIAL[form], self.known)
             if of is not None and not self.got.found["material"] and self._may_be_of(form):
@@ -155,22 +155,23 @@ class Likeness(Clauses):
                 self.got.qualifiers.append(one.form)
         shades = TASTES if tasted else CALLED_SHADES
         grown = any(thing in GROUPS[group] for group in GROWN)
-        said = [form for form in self._tokens.words if form in self.got.qualifiers]
-        said = [form for form in said if form in shades]
-        if not said or found["color"] or (grown and not tasted):
+        stated = [form for form in self._tokens.words if form in self.got.qualifiers]
+        stated = [form for form in stated if form in shades]
+        if not stated or found["color"] or (grown and not tasted):
             return
-        self.got.left_out = [form for form in self.got.left_out if form != said[0]]
-        found["color"] += filter(None, [look_up(shades[said[0]], self.known)])
+        self.got.left_out = [form for form in self.got.left_out if form != stated[0]]
+        found["color"] += filter(None, [look_up(shades[stated[0]], self.known)])
 
     def _leave_as_woven(self) -> None:
-        """ "A woven basket" is of what baskets are woven from."""
+        """ "A woven basket" is of the usual material of baskets."""
         found, looks = self.got.found, looks_of(self.got.thing)
         mains = [part for part, look in looks.items() if look[0] == "*"]
         if all(natural_kind(self.got.thing, part) == WOVEN for part in mains):
             found["material"] = [one for one in found["material"] if one.form != "woven"]
 
     def _may_be_of(self, form: str) -> bool:
-        """Whether a word that may be a material is the thing's: "an ice palace", no ice bucket."""
+        """Whether a word that may be a material is the thing's: "an ice palace", but not an ice
+        bucket."""
         if form in OF_ANIMALS:
             return is_animal(self.got.thing)
         if form == "bone" and self.got.thing == "saw":  # which is for bones
@@ -200,8 +201,8 @@ class Likeness(Clauses):
             colors += filter(None, (look_up(name, self.known) for name in names))
 
     def _look_like_its_kind(self) -> None:
-        """A crow is black, made as a bird that is blue, where no colour is stated; a tuxedo is of
-        cloth, made as a jacket that is of leather, where no material is."""
+        """A crow is black, made as a bird that is blue, unless a colour is stated; a tuxedo is of
+        cloth, made as a jacket that is of leather, unless a material is."""
         found = self.got.found
         if not found["noun"] or self.got.is_statue:
             return
@@ -219,7 +220,8 @@ class Likeness(Clauses):
                 self.got.parts.append(StatedPart(part, True, part, color.word, form))
 
     def _spare_the_living(self) -> None:
-        """ "An old wizard" is not worn; an old doll, a stone lion and the statue of a king are."""
+        """ "An old wizard" does not look worn; an old doll, a stone lion and the statue of a king
+        do."""
         thing = self.got.thing
         alive = is_animal(thing) or is_somebody(thing)
         if not alive or self.got.found["material"] or self._depicted:

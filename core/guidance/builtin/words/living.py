@@ -1,14 +1,14 @@
-"""Which things are alive: animals, and people. Standard library only."""
+"""Living things: animals and people. Standard library only."""
 
 from core.guidance.builtin.nouns import GROUPS
 
 PEOPLE, ANIMALS = "Characters", ("Animals", "Wild Animals")
-# Of these groups what is made, or dead.
+# Things of these groups that are made, or dead.
 LIFELESS = frozenset(
     """moai obelisk mask eyeball doll nutcracker mech golem skeleton scarecrow snowman bone
     tooth gargoyle""".split()
 ) | {"totem pole", "teddy bear"}
-# What one that is alive may be besides: "a goblin archer" is a goblin.
+# Roles of living things: "a goblin archer" is a goblin.
 ROLES = frozenset(
     """person knight wizard pirate king ninja astronaut superhero samurai viking princess chef
     soldier cowboy witch queen firefighter girl boy baby""".split()
@@ -16,7 +16,7 @@ ROLES = frozenset(
 
 
 def is_creature(noun: str) -> bool:
-    """Whether it is an animal or somebody, or the likeness of one: a doll, a skeleton."""
+    """Whether it is an animal or a person, or the likeness of one: a doll, a skeleton."""
     return any(noun in GROUPS[group] for group in (PEOPLE, *ANIMALS))
 
 
@@ -27,5 +27,5 @@ def is_animal(noun: str) -> bool:
 
 
 def is_somebody(noun: str) -> bool:
-    """Whether it is a living person, a fabulous one too."""
+    """Whether it is a living person, including fabulous ones."""
     return noun not in LIFELESS and (noun in ROLES or noun in GROUPS[PEOPLE])

@@ -1,4 +1,4 @@
-"""Words put in the order in which they are read: how it looks right before what looks so.
+"""Words reordered for the parser: each look right before its thing or part.
 
 "A car with wheels in black" has black wheels, as "a car in black" is black. Standard library only.
 """
@@ -35,7 +35,7 @@ from core.guidance.builtin.words.words import (
     WITHOUT,
 )
 
-OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind what has it
+OF_LOOKS = ("in", "of", "from")  # before a colour or a material, behind its owner
 LINK = re.compile(
     r"(?P<said>(?:(?:that|which|who) )?(?:is|are|was|were|should be|(?:has|have) been) )?"
     r"(?P<glow>(?:(?:that|which) )?(?:glows?|glowing|shines?|shining) )?"
@@ -43,28 +43,28 @@ LINK = re.compile(
     r"|(?:painted|dyed) |(?:in|of|from|with) )?"
     r"(?P<article>(?:an?|the) )?"
 )
-OVER = ("on", "around", "over", "along", "across")  # before a part that something covers
-# What was done to a thing, by the part that it is done to.
+OVER = ("on", "around", "over", "along", "across")  # before a covered part
+# Past participles, by the part that they apply to.
 EDGED = {"framed": "frame", "trimmed": "trim", "edged": "trim", "rimmed": "rim", "topped": "top"}
 EDGED |= {"banded": "bands", "tipped": "tip head", "capped": "cap", "cushioned": "cushion"}
 LONGEST_LINK = 7  # words: "which are made out of the"
-# The link begins before what is right behind these.
+# The link starts before the word right behind these.
 BEFORE = {
     *MADE,
     *OF_LOOKS,
     *"out by with that which who is are was were been has have should be".split(),
     *"glow glows shine shines".split(),
 }
-STRANGE = 2  # words before a look, or a plant, that are not known: "in signal orange"
+STRANGE = 2  # unknown words before a look, or a plant: "in signal orange"
 INSIDES = ("inside", "interior", "lining")
-FULL = frozenset("of with containing filled full some".split())  # right before what is in it
-# What a material comes in: "sandstone blocks" are sandstone, where the thing has no such part.
+FULL = frozenset("of with containing filled full some".split())  # right before its content
+# Units of a material: "sandstone blocks" are sandstone, unless the thing has such a part.
 BLOCKS = frozenset("blocks bricks slabs".split())
 PIECES = BLOCKS | frozenset("slats sheets panels tiles".split())
 
 
 def set_looks_in_order(tokens: Tokens) -> None:
-    """Change the words' order where it is another than that of "with black wheels"."""
+    """Reorder words that are not in the order of "with black wheels"."""
     for at in range(len(tokens.words)):
         _set_pattern_last(tokens, at)
         _set_figure_on_part(tokens, at)
@@ -81,15 +81,15 @@ def set_looks_in_order(tokens: Tokens) -> None:
 
 
 def _backwards(tokens: Tokens) -> Iterator[int]:
-    """The indices from the last word to the second, of which some may go meanwhile."""
+    """The indices from the last word to the second; words may be removed meanwhile."""
     at = len(tokens.words)
     while (at := min(at, len(tokens.words)) - 1) > 0:
         yield at
 
 
 def _drop_pieces(tokens: Tokens, at: int) -> None:
-    """ "A pyramid, sandstone blocks" is one of sandstone, as one of sandstone tiles is; "a house
-    with slate tiles" is not of slate."""
+    """ "A pyramid, sandstone blocks" is of sandstone, as one of sandstone tiles is; "a house with
+    slate tiles" is not of slate."""
     word, ended = tokens.words[at], tokens.ends_phrase(at + 1)
     if word not in PIECES or at in tokens.breaks or not (ended or tokens.words[at + 1] == "and"):
         return
@@ -104,8 +104,8 @@ def _drop_pieces(tokens: Tokens, at: int) -> None:
 
 
 def _set_pattern_last(tokens: Tokens, at: int) -> None:
-    """ "A striped red and white awning" is a red and white striped one; "red and white bands", on
-    what has no bands, are stripes."""
+    """ "A striped red and white awning" is a red and white striped one; "red and white bands", on a
+    thing without bands, are stripes."""
     words = tokens.words[at : at + 4]
     slots = [entry.slot if (entry := look_up(word, tokens.known)) else word for word in words]
     together = tokens.breaks.isdisjoint(range(at + 1, at + 4))
@@ -129,7 +129,7 @@ def _set_figure_on_part(tokens: Tokens, at: int) -> None:
 
 
 def _set_glow_on_part(tokens: Tokens, at: int) -> None:
-    """ "A staff, purple crystal on top, glowing": what glows is the crystal."""
+    """ "A staff, purple crystal on top, glowing": the crystal glows."""
     alone = at in tokens.breaks and at + 1 in (*tokens.breaks, len(tokens.words))
     entry = tokens.entry(tokens.words[at])
     if not alone or entry is None or entry.word != "glowing":
@@ -188,12 +188,12 @@ def _set_edge(tokens: Tokens, at: int) -> None:
         return
     ended = tokens.ends_phrase(end) or tokens.words[end] == "and"
     if ended:
-        # Of what has no such part it is not all of that: "a table edged in brass".
+        # A thing without such a part is not all of that: "a table edged in brass".
         tokens.put(at, end, ["with", *tokens.words[begin:end], part or "edges"])
 
 
 def _introduced_by(tokens: Tokens, at: int) -> str:
-    """The word that began what is said at the index, and of what "and" joins to it; or ""."""
+    """The word that introduced the phrase at the index, also across "and"; or ""."""
     while at and at not in tokens.breaks:
         at -= 1
         if tokens.words[at] in PHRASE_ENDS - {*ARTICLES, "and"}:
@@ -202,7 +202,7 @@ def _introduced_by(tokens: Tokens, at: int) -> str:
 
 
 def _drop_place(tokens: Tokens, at: int) -> None:
-    """ "With a cherry on top": that is no top; "with velvet inside": nothing is seen of it."""
+    """ "With a cherry on top" names no top; "with velvet inside" is not visible."""
     words, ended = tokens.words, tokens.ends_phrase(at + 1)
     if words[at - 1 : at + 1] == ["on", "top"] and ended and words[at + 1 : at + 2] != ["of"]:
         tokens.cut(at - 1, at + 1)
@@ -210,13 +210,13 @@ def _drop_place(tokens: Tokens, at: int) -> None:
     if words[at] not in INSIDES or at + 1 not in (*tokens.breaks, len(words)):
         return
     if (begin := tokens.qualities_begin(at, ("color", "material"))) < at:
-        said = " ".join(words[begin : at + 1])
-        tokens.notes.append(f"{said}: left out, as the inside looks like the outside.")
+        stated = " ".join(words[begin : at + 1])
+        tokens.notes.append(f"{stated}: left out, as the inside looks like the outside.")
         tokens.cut(begin - (words[begin - 1] in ("with", "and")), at + 1)
 
 
 def _set_contents(tokens: Tokens, at: int) -> None:
-    """ "A jar of honey", "a bottle filled with red wine": what is see-through has that colour."""
+    """ "A jar of honey", "a bottle filled with red wine": a transparent thing has that colour."""
     word, thing = tokens.words[at], _thing_before(tokens, at)
     ended = tokens.ends_phrase(at + 1) or tokens.words[at + 1] == "and"
     if word not in CONTENTS or not ended or not shows_liquid(thing) or is_own(thing, word):
@@ -234,29 +234,29 @@ def _set_contents(tokens: Tokens, at: int) -> None:
 
 
 class Link(NamedTuple):
-    """What stands between a name and how it looks."""
+    """The words between a name and its look."""
 
-    end: int  # where the looks begin
-    is_said: bool  # as by "is", of whatever the sentence is about
-    is_bare: bool  # nothing at all, "a handle wooden", or no more than "with"
-    glowing: bool = False  # "glow", which says how besides
+    end: int  # start of the looks
+    is_stated: bool  # by "is", of the sentence's subject
+    is_bare: bool  # nothing, "a handle wooden", or only "with"
+    glowing: bool = False  # "glow", which is a look too
 
 
 def _set_looks_before(tokens: Tokens, at: int) -> None:
-    """Put what is said of a part, or of what goes with the thing, from behind to before it; ``at``
-    is where the link between them may begin."""
+    """Move the look of a part, or of an accessory, from behind to before it; ``at``: the possible
+    start of the link between them."""
     link = _link(tokens, at)
     if link is None or not tokens.breaks.isdisjoint(range(at, link.end + 1)):
         return
     head = _head_begins(tokens, at)
     if link.end == at and _is_look(tokens, head, at + 1):  # "sheet metal"
         return
-    if head == at or ((link.is_said or link.is_bare) and not _is_part(tokens, head, at)):
+    if head == at or ((link.is_stated or link.is_bare) and not _is_part(tokens, head, at)):
         return
     end = looks_end(tokens, link.end)
     if end == link.end or not (tokens.ends_phrase(end) or tokens.words[end] == "and"):
         return
-    is_its = link.is_said or _goes_with(tokens, head)
+    is_its = link.is_stated or _goes_with(tokens, head)
     if is_its and not _looks_so(tokens, head, link.end, end):
         looks = ["glowing"] * link.glowing + tokens.words[link.end : end]
         thing, name = _thing_before(tokens, head), tokens.words[head:at]
@@ -275,28 +275,28 @@ def _is_look(tokens: Tokens, begin: int, end: int) -> bool:
 
 
 def _link(tokens: Tokens, at: int) -> Link | None:
-    """The link that begins at the index, if there is one."""
+    """The link at the index, if any."""
     words = tokens.words
     whole = look_up(" ".join(words[at : at + 2]), tokens.known)
     of_look = words[at] in OF_LOOKS and whole is not None and whole.slot in LOOKS  # "of ice"
     if of_look and words[at - 1] not in BEFORE:
-        return Link(at, is_said=False, is_bare=False)
+        return Link(at, is_stated=False, is_bare=False)
     found = LINK.match(" ".join([*words[at : at + LONGEST_LINK], ""]))
     assert found  # of nothing, if of no more
-    said, glow, way, article = found.group("said", "glow", "way", "article")
+    stated, glow, way, article = found.group("said", "glow", "way", "article")
     end = at + len(found[0].split())
     if end > at and _is_look(tokens, end - 1, end + 1):  # "carved from bone"
         end -= 1
-    if words[at - 1] in BEFORE or (article and not (said or way)):
+    if words[at - 1] in BEFORE or (article and not (stated or way)):
         return None
-    return Link(end, bool(said or glow), end == at or way == "with ", bool(glow))
+    return Link(end, bool(stated or glow), end == at or way == "with ", bool(glow))
 
 
 def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
-    """Whether the name between the indices is a part's of the thing before it."""
+    """Whether the name between the indices is a part of the thing before it."""
     name = " ".join(tokens.words[begin:end])
     entry = look_up(name, tokens.known)
-    # A colour is none, and "in light oak" says nothing of a light.
+    # A colour is not a part, and "in light oak" names no light.
     if name in TOWARDS or (entry is not None and entry.slot in LOOKS):
         return False
     thing = _thing_before(tokens, begin)
@@ -305,13 +305,13 @@ def _is_part(tokens: Tokens, begin: int, end: int) -> bool:
 
 
 def _thing_before(tokens: Tokens, end: int) -> str:
-    """The first thing that is named before the index, or ""."""
+    """The first thing named before the index, or ""."""
     things = (tokens.thing(phrase) for at in range(end) for phrase in tokens.phrases(at))
     return next(filter(None, things), "")
 
 
 def looks_end(tokens: Tokens, begin: int) -> int:
-    """Where the looks that begin at the index end, with what is unknown between them."""
+    """The end of the looks at the index, with unknown words between them."""
     end = last = begin  # the last: before what "and" joins
     while end < len(tokens.words):
         joined = end + (end > begin and tokens.words[end] == "and")
@@ -328,7 +328,7 @@ def looks_end(tokens: Tokens, begin: int) -> int:
 
 
 def _look_ends(tokens: Tokens, begin: int) -> int:
-    """Where the one look that the index begins ends; the index itself where there is none."""
+    """The end of the one look at the index; the index itself without one."""
     for at in range(begin, min(begin + STRANGE + 1, len(tokens.words))):
         if toned := tokens.toned(at):
             return at + toned[1] if toned[0].slot in LOOKS else begin
@@ -342,7 +342,7 @@ def _look_ends(tokens: Tokens, begin: int) -> int:
 
 
 def _head_begins(tokens: Tokens, end: int) -> int:
-    """Where the name that ends before the index begins; the index itself if there is none."""
+    """The start of the name that ends before the index; the index itself without one."""
     for count in range(min(LONGEST, end), 0, -1):
         begin = end - count
         phrase = " ".join(tokens.words[begin:end])
@@ -353,7 +353,7 @@ def _head_begins(tokens: Tokens, end: int) -> int:
 
 
 def _goes_with(tokens: Tokens, head: int) -> bool:
-    """Whether the word at the index is of a phrase about what goes with a thing before it."""
+    """Whether the word at the index is in an accessory's phrase."""
     for begin in _phrases_before(tokens, head):
         word = tokens.words[begin - 1] if begin else ""
         introduced = begin in tokens.breaks or (word in GOES_WITH and word != "of")
@@ -365,7 +365,7 @@ def _goes_with(tokens: Tokens, head: int) -> bool:
 
 
 def _phrases_before(tokens: Tokens, head: int) -> Iterator[int]:
-    """Where the phrase with the index begins, and those that "and" joins to it."""
+    """The start of the phrase with the index, and of those that "and" joins to it."""
     begin = head
     while begin >= 0:
         while begin and begin not in tokens.breaks:
@@ -377,7 +377,7 @@ def _phrases_before(tokens: Tokens, head: int) -> Iterator[int]:
 
 
 def _looks_so(tokens: Tokens, head: int, begin: int, end: int) -> bool:
-    """Whether what is right before the name says as much of it already: "yellow eyes in blue"."""
+    """Whether the words right before the name already state as much: "yellow eyes in blue"."""
     first = tokens.qualities_begin(head, LOOKS)
     before, behind = (
         {

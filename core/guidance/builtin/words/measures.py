@@ -26,7 +26,7 @@ SIDES = {  # of the box around a thing, by the words for them
     "length": ("long", "length", "size"),
 }
 THICK = ("thick", "thickness")  # of a wall or a board, not of the whole thing
-# Of these so few millimetres are no size where no side is named: "a 9mm pistol", "a 35 mm camera".
+# So few millimetres of these are not a size without a side: "a 9mm pistol", "a 35 mm camera".
 OF_CALIBRE = frozenset(
     """pistol revolver handgun gun rifle cannon howitzer mortar camera cameras lens lenses film ammo
     bullet cartridge screw bolt nail wrench spanner socket drill projector needle syringe pipe tube
@@ -34,10 +34,10 @@ OF_CALIBRE = frozenset(
 )
 CALIBRE, MOST_CALIBRE = "mm", 0.21  # metres
 UNSURE = ("in", "feet")  # no unit at all: "2 in 1", "a sofa with 4 feet"
-MOST_FEET = 8  # that something stands on
+MOST_FEET = 8  # feet of a thing
 # Marks for inches and feet, as they may be typed.
 MARKS = {"\u2033": '"', "\u201d": '"', "\u2032": "'", "\u2019": "'", "''": '"'}
-# Units of what is no length, such as a weight or an age.
+# Units of other quantities, such as a weight or an age.
 OTHERS = """kg kgs kilo kilos kilogram kilograms g gram grams lb lbs pound pounds ounce ounces oz ml
     l liter liters litre litres gallon gallons watt watts volt volts mph kmh hp cc year years yr yrs
     year-old years-old month month-old months week week-old weeks day day-old days""".split()
@@ -50,7 +50,7 @@ OF_ANOTHER = """with on at near beside next under behind above against between o
 
 
 class Size(NamedTuple):
-    """How long a prompt says that a side of the box around the thing is, in metres.
+    """The stated length of a side of the box around the thing, in metres.
 
     side: one of ``SIDES``; the length is the longest side.
     """
@@ -59,7 +59,7 @@ class Size(NamedTuple):
     side: str = "length"
 
     def longest(self, extents: Iterable[float]) -> float:
-        """The longest side in metres of a thing whose box is to the ``extents`` x, y and z."""
+        """The longest side in metres of a thing with a box of the ``extents`` x, y and z."""
         x, y, z = extents
         longest = max(x, y, z)
         own = {"height": z, "width": x, "depth": y, "diameter": max(x, y), "length": longest}
@@ -113,9 +113,8 @@ _OTHER = re.compile(
 
 
 def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
-    """A prompt in lower case without what measures something in it; the sizes that it states; and
-    what measures something else, such as a weight, a thickness or another thing, as it was
-    written."""
+    """A prompt in lower case without its measurements; the stated sizes; and other measurements,
+    such as a weight, a thickness or the size of another thing, as written."""
     for mark, plain in MARKS.items():
         prompt = prompt.replace(mark, plain)
     text = unicodedata.normalize("NFKC", prompt).lower()
@@ -134,7 +133,7 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
         # But "with a 30 cm height".
         of_another = elsewhere and not (found["before"] or side in SIDES)
         calibre = not side and unit == CALIBRE and size.metres <= MOST_CALIBRE
-        # Of what is beside it: "a 35 mm film camera", "pistol, 9mm".
+        # Of the word next to it: "a 35 mm film camera", "pistol, 9mm".
         beside = re.findall("[a-z]+", text[: found.start()])[-1:]
         beside += re.findall("[a-z]+", re.split("[,;.:!?()]", text[found.end() :])[0])[:3]
         is_calibre = calibre and not OF_CALIBRE.isdisjoint(beside)
@@ -154,7 +153,7 @@ def set_apart(prompt: str) -> tuple[str, list[Size], list[str]]:
 
 
 def _is_sure(unit: str, number: str) -> bool:
-    """Whether so many feet are a length, and not what something stands on."""
+    """Whether a number of feet is a length, not the feet of a thing."""
     return unit == "feet" and not (number.isdigit() and int(number) <= MOST_FEET)
 
 

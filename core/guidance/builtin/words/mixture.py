@@ -1,7 +1,7 @@
-"""Which parts of a thing are of which of several materials: "a wood and metal desk".
+"""The parts of a thing for each of several materials: "a wood and metal desk".
 
-By what its parts are of by nature, and by what people make parts of such a name of: of wood and
-steel a hammer has a wooden handle and a chair steel legs. Standard library only.
+By the parts' natural materials, and by usual materials of parts with such names: of wood and steel
+a hammer has a wooden handle and a chair steel legs. Standard library only.
 """
 
 from collections.abc import Iterator, Sequence
@@ -30,17 +30,17 @@ from core.guidance.builtin.words.tokens import LONGEST, Tokens
 from core.guidance.builtin.words.words import ARTICLES, COLORED, LOOKS, PHRASE_ENDS, PLAIN
 
 GEM_PARTS = ("gem", "gems", "stone")
-BY_NATURE, WELL = 2, 4  # how well a part suits the class that it is of by nature; and no doubt
+BY_NATURE, WELL = 2, 4  # score of a part for its natural class; and one without doubt
 RUSTY = "rusty"
 _PLAIN = frozenset(PLAIN) - {"stone", "plastic"}  # "brick and stone" are two
 _LISTING = PHRASE_ENDS - {*ARTICLES}
 QUALITIES = ("rusty", "rusted", "rust", "corroded", "metallic", "mirrored", "robotic")
 QUALITIES += ("enamel", "enameled", "enamelled")
 MADE_OF = ("of", "from", "in", "out")
-HOW = ("quilted", "woven", "knitted", "padded")  # which say how a cloth or a leather is made
-# The colours of metals, where one is the second colour of a thing.
+HOW = ("quilted", "woven", "knitted", "padded")  # which describe how a cloth or a leather is made
+# Colours of metals as the second colour of a thing.
 TONES = {"golden": "golden yellow", "metal": "silver grey", "copper": "sienna"}
-# How well parts suit a class by their names.
+# Scores of parts for a class by their names.
 _SUITED = {
     METAL: {
         4: (
@@ -79,24 +79,24 @@ SUITED = {
 
 
 class Named(NamedTuple):
-    """A material where a prompt names it."""
+    """A material in a prompt."""
 
     entry: Entry
     color: Entry | None = None  # right before it: "black leather"
-    joined_by: str = ""  # a comma, "and", "with" or the like before it
+    joined_by: str = ""  # a comma, "and", "with" or similar before it
     before: Entry | None = None  # the last colour before these: "black and gold"
-    behind: Entry | None = None  # one that an "and" joins to it: "gold and black"
+    behind: Entry | None = None  # one joined by "and": "gold and black"
 
 
-def share_out(got: Findings, tokens: Tokens) -> None:
-    """Of several materials of the whole: the first stays, the others go to the parts that they
-    suit. What finds none is left out with its colour, and said. Next to a colour one is a second:
-    "a black and gold chair"."""
+def distribute_materials(got: Findings, tokens: Tokens) -> None:
+    """Distribute several materials of the whole: the first stays, the others go to the parts that
+    they suit. A material without a part is left out with its colour, and noted. Next to a colour
+    one is a second: "a black and gold chair"."""
     named = [one for one in _named(tokens) if one.entry in got.found["material"]]
     if not got.thing or got.is_statue:
         return
-    if len(named) == 1 and (color := _color_beside(named[0], got)):
-        _set_beside_color(got, named[0], color)
+    if len(named) == 1 and (color := _color_next_to(named[0], got)):
+        _set_next_to_color(got, named[0], color)
     if len(named) < 2 or is_creature(got.thing):
         return
     first, *others = _clearest(named)
@@ -115,8 +115,8 @@ def share_out(got: Findings, tokens: Tokens) -> None:
             got.leave_aside(forms, "one material is taken")
 
 
-def _color_beside(material: Named, got: Findings) -> Entry | None:
-    """The colour that is said next to it, of other parts; of a quality of the whole none: "grey and
+def _color_next_to(material: Named, got: Findings) -> Entry | None:
+    """The colour next to it that belongs to other parts; none for a quality of the whole: "grey and
     fluffy", "red and rusty", "a chair, red, wooden"."""
     entry, name = material.entry, class_of(material.entry)
     if entry.form in QUALITIES or name not in (METAL, WOOD, STONE) or material.color:
@@ -129,7 +129,7 @@ def _color_beside(material: Named, got: Findings) -> Entry | None:
 
 
 def _state(got: Findings, parts: list[str], material: Named) -> bool:
-    """Say of the parts what they are of, unless something is said of them; whether of any."""
+    """State the materials of the parts, unless they have words of their own; whether of any."""
     taken = {name for part in got.parts for name in own_names(got.thing, part.name)}
     color = material.color
     look = (color.word, shade(*color[1:])) if color else ("", "")
@@ -138,9 +138,9 @@ def _state(got: Findings, parts: list[str], material: Named) -> bool:
     return bool(stated)
 
 
-def _set_beside_color(got: Findings, named: Named, color: Entry) -> None:
-    """Give some parts the material, and leave the colour to the rest, or the other way about; where
-    no part is for it, or a pattern is stated, it is the second colour."""
+def _set_next_to_color(got: Findings, named: Named, color: Entry) -> None:
+    """Give some parts the material, and leave the colour to the rest, or the other way round;
+    without parts for it, or with a stated pattern, it is the second colour."""
     material, patterned = named.entry, bool(got.found["pattern"])
     if color == named.behind and not patterned and is_of_it(got.thing, material):
         got.found["color"].remove(color)
@@ -150,7 +150,7 @@ def _set_beside_color(got: Findings, named: Named, color: Entry) -> None:
         if not parts:
             got.leave_aside([color.form], "nothing else in it has a colour")
         return
-    parts = [] if patterned else parts_beside_color(got.thing, material)
+    parts = [] if patterned else parts_next_to_color(got.thing, material)
     tone = look_up(TONES.get(material.word, ""), got.known)
     if not (parts or tone):
         return
@@ -160,8 +160,8 @@ def _set_beside_color(got: Findings, named: Named, color: Entry) -> None:
 
 
 def _clearest(named: list[Named]) -> list[Named]:
-    """Without what says no more than what is named before it: "a brass metal lamp", "upholstered in
-    velvet", "a see through plastic box"; iron is rusty."""
+    """The materials without those that add nothing to one before: "a brass metal lamp",
+    "upholstered in velvet", "a see through plastic box"; iron is rusty."""
     kept: list[Named] = []
     for one in named:
         if not kept or not _is_same(kept[-1], one):
@@ -172,7 +172,7 @@ def _clearest(named: list[Named]) -> list[Named]:
 
 
 def _is_same(before: Named, one: Named) -> bool:
-    """Whether two materials in a row are of one and the same part."""
+    """Whether two materials in a row belong to the same part."""
     both = {class_of(before.entry), class_of(one.entry)}
     if one.joined_by in MADE_OF and before.entry.form in HOW:  # "woven from straw"
         return len(both) == 1
@@ -204,7 +204,7 @@ def _named(tokens: Tokens) -> Iterator[Named]:
 
 
 def _color(tokens: Tokens, begin: int, end: int) -> Entry | None:
-    """The colour that ends at the index, of a phrase from ``begin`` on."""
+    """The colour that ends at the index, in a phrase from ``begin`` on."""
     begin = max(begin, end - LONGEST)
     phrases = (" ".join(tokens.words[at:end]) for at in range(begin, end))
     looked = (look_up(phrase, tokens.known) for phrase in phrases)
@@ -212,8 +212,8 @@ def _color(tokens: Tokens, begin: int, end: int) -> Entry | None:
 
 
 def _color_behind(tokens: Tokens, end: int) -> Entry | None:
-    """The colour behind the "and" that stands at the index, unless it is that of more: "gold and
-    white leather"."""
+    """The colour behind the "and" at the index, unless it belongs to more: "gold and white
+    leather"."""
     while tokens.words[end : end + 1] and tokens.words[end] in COLORED:  # "gold coloured and black"
         end += 1
     if tokens.words[end : end + 1] != ["and"] or tokens.breaks.intersection((end, end + 1)):
@@ -222,7 +222,7 @@ def _color_behind(tokens: Tokens, end: int) -> Entry | None:
 
 
 def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
-    """The noun's parts that are of another of the materials than the first, which the rest is of.
+    """The noun's parts for each material but the first, which the rest has.
 
     The materials are of different classes, or the first of each counts.
     """
@@ -235,9 +235,9 @@ def parts_of_each(noun: str, materials: Sequence[Entry]) -> dict[str, Entry]:
     return found
 
 
-def parts_beside_color(noun: str, material: Entry) -> list[str]:
-    """The noun's parts that are of the material where a colour is said next to it, and of the rest:
-    what it suits well, without the main parts where nothing would be left of these."""
+def parts_next_to_color(noun: str, material: Entry) -> list[str]:
+    """The noun's parts that have the material where a colour is next to it for the rest: those that
+    it suits well, without the main parts where nothing would be left of these."""
     name, looks = class_of(material), _looks(noun)
     by_nature = name != WOOD  # of which much is
     parts = [
@@ -251,14 +251,14 @@ def parts_beside_color(noun: str, material: Entry) -> list[str]:
 
 
 def is_of_it(noun: str, material: Entry) -> bool:
-    """Whether the noun's main parts are of such a material by nature."""
+    """Whether the noun's main parts are naturally of such a material."""
     mains = (part for part, look in NOUNS[noun].looks.items() if look[0] == "*")
     return all(_is_by_nature(noun, part, class_of(material)) for part in mains)
 
 
 def parts_of_color(noun: str, material: Entry) -> list[str]:
-    """The noun's parts that a colour is of behind a material that the noun is of by nature: "a
-    silver and black sword"."""
+    """The noun's parts for a colour behind a material that the noun has by nature: "a silver and
+    black sword"."""
     name, looks = class_of(material), _looks(noun)
     if gems := [part for part in GEM_PARTS if looks.get(part, "*")[0] != "*"]:
         return gems
@@ -271,7 +271,7 @@ def parts_of_color(noun: str, material: Entry) -> list[str]:
 
 def lesser_parts(noun: str, material: Entry) -> list[str]:
     """The noun's parts for a second material that suits none better than the first, "a gold and
-    silver shield": those that it suits well; else those that are of such a one by nature, or go
+    silver shield": those that it suits well; else those that are naturally of such a one, or go
     with the main ones."""
     name, looks = class_of(material), _looks(noun)
     others = [part for part, look in looks.items() if look[0] != "*"]
@@ -283,7 +283,7 @@ def lesser_parts(noun: str, material: Entry) -> list[str]:
 
 
 def _looks(noun: str) -> dict[str, str]:
-    """The noun's parts, but for what is of the same as what it lies on."""
+    """The noun's parts, without those of the same material as the part below."""
     return {part: look for part, look in NOUNS[noun].looks.items() if look[0] != "~"}
 
 
@@ -293,18 +293,18 @@ def suits(noun: str, part: str, name: str) -> int:
 
 
 def _lesser(noun: str, roles: str) -> list[str]:
-    """The noun's parts of these roles, but for those that one looks through."""
+    """The noun's parts of these roles, without transparent ones."""
     some = [part for part, look in _looks(noun).items() if look[0] in roles]
     return [part for part in some if not _is_by_nature(noun, part, GLASS)]
 
 
 def _is_by_nature(noun: str, part: str, name: str) -> bool:
-    """Whether the noun's part is of the class by nature; much is of plastic as nothing is known."""
+    """Whether the noun's part is naturally of the class; plastic is the default for many."""
     return name != PLASTIC and CLASS_OF.get(natural_kind(noun, part)) == name
 
 
 def class_of(material: Entry) -> str:
-    """The class of a material, by the kind of what was written or by its word."""
+    """The class of a material, by the kind of its form or by its word."""
     variant = VARIANTS.get(material.form)
     woven = variant is not None and variant.kind == "wicker"
     return CLOTH if woven else CLASS_OF.get(material.word, material.word)

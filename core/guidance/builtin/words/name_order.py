@@ -1,4 +1,4 @@
-"""Words put in the order in which they are read: the thing first, and its name in one.
+"""Words reordered for the parser: the thing first, and its name in one.
 
 "The seat is red, a chair" is a chair, "a house for birds" a bird house. Standard library only.
 """
@@ -22,7 +22,7 @@ from core.guidance.builtin.words.words import (
     WITHOUT,
 )
 
-HEAPS = COUNTS | {"slice", "piece", "bunch", "glass"}  # of what is then the thing
+HEAPS = COUNTS | {"slice", "piece", "bunch", "glass"}  # before "of" and the thing
 POT = "flower pot"
 # Things whose names also say what another is of: "a strawberry and chocolate cake".
 SAYS_OF_WHAT = frozenset(
@@ -37,7 +37,7 @@ APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
 def set_names_in_order(tokens: Tokens) -> None:
-    """Change the words' order where the thing comes late, or its name is in pieces."""
+    """Reorder the words where the thing comes late, or its name is split."""
     _take_its_shape(tokens)
     _take_owners_first(tokens)
     _take_the_thing_first(tokens)
@@ -53,7 +53,7 @@ def set_names_in_order(tokens: Tokens) -> None:
 
 
 def _take_its_shape(tokens: Tokens) -> None:
-    """ "A doorstop shaped like a dog" is a dog, where nothing is known of doorstops."""
+    """ "A doorstop shaped like a dog" is a dog, as doorstops are unknown."""
     for at in range(1, len(tokens.words)):
         way = next((w for w in SHAPED_LIKE if tokens.words[at : at + len(w)] == w), None)
         if way is None or not tokens.breaks.isdisjoint(range(at, at + len(way))):
@@ -77,11 +77,11 @@ def _take_owners_first(tokens: Tokens) -> None:
             continue
         name = next((phrase for phrase in tokens.phrases(start) if tokens.thing(phrase)), "")
         end = start + len(name.split())
-        told = tokens.words[end : end + 1] in (["is"], ["are"])
+        stated = tokens.words[end : end + 1] in (["is"], ["are"])
         begin = max(at - LONGEST, 0)
         while begin < at and not owns(tokens.thing(name), " ".join(tokens.words[begin:at])):
             begin += 1
-        if name and told and begin < at and tokens.breaks.isdisjoint(range(begin + 1, end + 1)):
+        if name and stated and begin < at and tokens.breaks.isdisjoint(range(begin + 1, end + 1)):
             tokens.put(begin, end, [*name.split(), "with", *tokens.words[begin:at]])
             return
 
@@ -89,7 +89,7 @@ def _take_owners_first(tokens: Tokens) -> None:
 def _take_the_thing_first(tokens: Tokens) -> None:
     """ "The seat is red, a chair" is a chair, the seat is red."""
     begins = [0, *sorted(k for k in tokens.breaks if 0 < k < len(tokens.words))]
-    parts: list[str] = []  # things before, which may be parts of what comes
+    parts: list[str] = []  # things before, possible parts of a later one
     found = None
     for begin, end in zip(begins, [*begins[1:], len(tokens.words)], strict=True):
         at = next((k for k in range(begin, end) if tokens.has_thing(k)), end)
@@ -101,8 +101,8 @@ def _take_the_thing_first(tokens: Tokens) -> None:
         ended = tokens.ends_phrase(at + len(name.split()))  # not "a hat, wizard style"
         heads = before.isdisjoint(PHRASE_ENDS) and all(owns(thing, part) for part in parts)
         # "A door, a house" is a door; a red one is the house's.
-        said = not parts or any(_is_look(tokens, w) or w in WITHOUT for w in tokens.words[:begin])
-        if ended and heads and said and any(owns(thing, word) for word in tokens.words[:begin]):
+        given = not parts or any(_is_look(tokens, w) or w in WITHOUT for w in tokens.words[:begin])
+        if ended and heads and given and any(owns(thing, word) for word in tokens.words[:begin]):
             found = (begin, end)  # the last: "a red roof, white walls, a house"
         parts.append(name)
     if found:
@@ -134,7 +134,7 @@ def _take_plants_first(tokens: Tokens) -> None:
 
 
 def _leave_listed_out(tokens: Tokens) -> None:
-    """ "A crystal and gold chandelier" is a gold one, and no crystal; so is one "in gold and
+    """ "A crystal and gold chandelier" is a gold one, without crystal; so is one "in gold and
     crystal"."""
     for at in range(2, len(tokens.words)):
         joined = tokens.words[at] in SAYS_OF_WHAT and tokens.words[at - 1] == "and"
@@ -165,7 +165,7 @@ def _is_look(tokens: Tokens, word: str) -> bool:
 
 
 def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
-    """Where what is said of the pot at the index begins; None where a plant's pot has no such."""
+    """The start of the looks of the pot at the index; None where a plant's pot has none such."""
     begin = at
     while begin and begin not in tokens.breaks and tokens.words[begin - 1] not in OWN:
         begin -= 1
@@ -174,7 +174,7 @@ def _pots_looks_begin(tokens: Tokens, at: int) -> int | None:
 
 
 def _name_tins(tokens: Tokens) -> None:
-    """ "A tin of sardines" is a tin can, full of what is left out."""
+    """ "A tin of sardines" is a tin can; its content is left out."""
     for at in range(len(tokens.words) - 2):
         follows = tokens.words[at : at + 2] in (["tin", "of"], ["tins", "of"])
         if follows and tokens.breaks.isdisjoint((at + 1, at + 2)) and not tokens.has_thing(at):
@@ -254,7 +254,7 @@ def _join_split_names(tokens: Tokens) -> None:
 
 
 def _adjectives_end(tokens: Tokens, begin: int) -> int:
-    """Where the looks that begin at the index end, with what says nothing of them: "two storey"."""
+    """The end of the looks at the index, with words that do not describe them: "two storey"."""
     end = begin
     while end < len(tokens.words):
         counted = next((p for p in tokens.phrases(end)[:-1] if p in IGNORED_ADJECTIVES), "")
@@ -266,8 +266,8 @@ def _adjectives_end(tokens: Tokens, begin: int) -> int:
 
 
 def _set_qualifiers_first(tokens: Tokens) -> None:
-    """ "A car sports", "a guitar electric red": of some languages what qualifies comes last; "a
-    pirates ship" is a pirate ship."""
+    """ "A car sports", "a guitar electric red": in some languages qualifiers come last; "a pirates
+    ship" is a pirate ship."""
     for at in range(len(tokens.words) - 1):
         name, word = tokens.words[at : at + 2]
         single = name.removesuffix("s")

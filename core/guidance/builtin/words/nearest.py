@@ -1,7 +1,7 @@
 """Words that the built-in prior does not know, for its hints, as data."""
 
-# For each known word those that it is nearest to in meaning, or in shape where nothing is near in
-# meaning: a safe is a cabinet.
+# For each known word those with the nearest meaning, or shape where no meaning is near: a safe is a
+# cabinet.
 NEAREST = {
     "cutting board": "knife block",
     "curtain": "folding screen, room divider",
@@ -33,7 +33,7 @@ NEAREST = {
     "beige": "sand",
     "stone": "cement",
 }
-# What is often written for a word; much of it is more than one slip away, or short.
+# Frequent misspellings; many are more than one slip away, or short.
 MISSPELLED = {
     "bicycle": "bycicle bycycle bicylce byke bicicle",
     "elephant": "elefant elaphant",

@@ -1,4 +1,4 @@
-"""What a thing calls its parts, and which it always has. Standard library only."""
+"""A thing's names for its parts, and the parts that it always has. Standard library only."""
 
 from collections.abc import Collection
 
@@ -31,7 +31,7 @@ FOUR_LEGS = frozenset(
 
 LIQUID = "liquid"
 CONTAINED = ("liquid", "brew", "water")
-# Of what most of a thing is, and of its trim; the second only where there are none of the first.
+# Roles of most of a thing, and of its trim; the second only without any of the first.
 WIDE = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
 
 
@@ -42,7 +42,7 @@ def may_state(noun: str, part: str) -> bool:
 
 
 def as_part(entry: Entry, noun: str) -> str:
-    """The name under which a thing is a part of another: a bottle's cap, a piano's keys; or ""."""
+    """The name of a thing as a part of another: a bottle's cap, a piano's keys; or ""."""
     for name in (entry.form, entry.word):
         states = [state.removeprefix("no ") for state in OPTIONS.get(noun, ())]
         if name in states or own_name(noun, name):
@@ -51,13 +51,13 @@ def as_part(entry: Entry, noun: str) -> str:
 
 
 def own_name(noun: str, part: str) -> str:
-    """What the noun itself calls the part; "" where it has none of that name."""
+    """The noun's own name for the part; "" without one."""
     return next(iter(own_names(noun, part)), "")
 
 
 def own_names(noun: str, part: str, taken: Collection[str] = ()) -> list[str]:
-    """All that the noun has of the part: of a chest's body the lid too; of a word for most of it
-    what is not ``taken``."""
+    """All of the noun's parts that the name covers: for a chest's body also the lid; for a word for
+    most of the thing those that are not ``taken``."""
     looks = looks_of(noun)
     part = CALLED.get(noun, {}).get(part, part)
     named = [name for name in _names(part) if name in looks]
@@ -77,28 +77,28 @@ def own_names(noun: str, part: str, taken: Collection[str] = ()) -> list[str]:
 
 
 def is_own(noun: str, form: str) -> bool:
-    """Whether the noun itself calls a part so, or its plural: a tiger's stripes."""
+    """Whether the noun has a part of that name or plural: a tiger's stripes."""
     return form in looks_of(noun) or f"{form}s" in looks_of(noun)
 
 
 def owns(noun: str, word: str) -> bool:
-    """Whether the word names a part of the noun, and not most of it."""
+    """Whether the word names a part of the noun, not most of it."""
     return bool(own_name(noun, word)) and not is_wide(noun, word)
 
 
 def is_wide(noun: str, part: str) -> bool:
-    """Whether it is only a word for most of the thing, or for its trim, and no part by itself."""
+    """Whether it is only a word for most of the thing, or for its trim, not for a separate part."""
     return part in WIDE and part not in looks_of(noun) and part not in CALLED.get(noun, {})
 
 
 def is_within(noun: str, form: str) -> bool:
-    """Whether the noun's shape has what is called so, but as no part by itself."""
+    """Whether the noun's shape includes such a part, but not as a separate one."""
     body = is_creature(noun) and form in OF_BODIES
     return body or form in NO_PARTS.get(noun, "").split()
 
 
 def has_legs(noun: str) -> bool:
-    """Whether it stands on legs, which are not counted where a caption may not state them."""
+    """Whether it has legs, which are not counted where a caption may not state them."""
     return noun in FOUR_LEGS or is_creature(noun) or bool(lacked(noun, "legs", "legs"))
 
 
@@ -112,33 +112,33 @@ def always_has(noun: str, part: str) -> bool:
 
 
 def shows_liquid(noun: str) -> bool:
-    """Whether what is in the noun is a part of it, or is seen through it."""
+    """Whether the noun's content is a part of it, or is visible through it."""
     name = own_name(noun, LIQUID)
     return name in CONTAINED or "glass" in looks_of(noun).get(name, "").split()
 
 
 def lacked(noun: str, part: str, form: str) -> str:
-    """The noun's part that is meant where it is said to lack one, as written in ``form``; "" where
-    it has none that is called so. Of a robot without arms the limbs stay."""
+    """The noun's part that is meant by a missing ``form``; "" without one of that name. A robot
+    without arms keeps its limbs."""
     looks = looks_of(noun)
     return next((name for name in [form, *_names(part, also=False)] if name in looks), "")
 
 
 def borne(noun: str, part: str) -> list[str]:
-    """The noun's parts that are gone with ``part``: the hubs with the wheels."""
+    """The noun's parts that are removed with ``part``: the hubs with the wheels."""
     return [name for name in forms_of(BORNE.get(part, "")) if name in looks_of(noun)]
 
 
 def can_lack(noun: str, parts: Collection[str]) -> bool:
-    """Whether the noun is still something without these parts: with a main part, or, as a tree
-    without leaves, with some part where none that is gone bore it."""
+    """Whether the noun remains a thing without these parts: with a main part, or, such as a tree
+    without leaves, with some part that no removed part bore."""
     left = {name: look for name, look in looks_of(noun).items() if name not in parts}
     main = any(look[0] == "*" for look in left.values())
     return main or bool(left and not is_creature(noun) and not WHOLE.intersection(parts))
 
 
 def _names(part: str, also: bool = True) -> list[str]:
-    """What a noun may call the part; ``also``: the likes of it too."""
+    """Possible names of the part in a noun; ``also``: similar ones too."""
     forms = forms_of(PART_WORDS.get(part, "")) + forms_of(PART_SYNONYMS.get(part, ""))
     names = [part, PART_FORMS.get(part, part), *forms]
     names += forms_of(PART_ALSO.get(part, "")) if also else []
@@ -146,5 +146,5 @@ def _names(part: str, also: bool = True) -> list[str]:
 
 
 def looks_of(noun: str) -> dict[str, str]:
-    """The noun's parts with their looks; none where it is not known."""
+    """The noun's parts with their looks; none if unknown."""
     return NOUNS[noun].looks if noun in NOUNS else {}

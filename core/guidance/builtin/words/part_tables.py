@@ -1,4 +1,4 @@
-"""What parts are called, and what is said of them, as data.
+"""Names and descriptions of parts, as data.
 
 The order within a table is that of the networks' embeddings; new words go to the end.
 """
@@ -15,7 +15,7 @@ PART_WORDS = {
     "three legs": "3 legs, three legged, 3 legged",
     "four legs": "4 legs, four legged, 4 legged",
 }
-# Words for the parts that a noun always has: they change nothing but where a colour goes.
+# Words for the parts that a noun always has: they only give a colour its place.
 PART_SYNONYMS = {
     "marks": "numerals, hour marks",
     "legs": "leg, feet, foot, paws, paw",
@@ -51,7 +51,7 @@ PART_SYNONYMS = {
     "tail lamps": "taillights, tail lights, rear lights, brake lights, tail lamp",
     "number plates": "license plate, license plates, licence plate, number plate",
 }
-# What else a thing may call a part, the likeliest first: a fan's base is its stand.
+# Other names of a part in a thing, the likeliest first: a fan's base is its stand.
 PART_ALSO = {
     "backrest": "back",
     "armrests": "arms, limbs",
@@ -198,7 +198,7 @@ PART_ALSO = {
     "costume": "suit, coat, robe, tunic, dress, shirt, armour",
     "uniform": "suit, coat, tunic, shirt",
 }
-# What some things alone call a part.
+# Names of a part in some things alone.
 CALLED = {
     "bench": dict.fromkeys("ends sides frame supports base".split(), "legs"),
     "castle": {"gate": "door", "gates": "door"},
@@ -270,7 +270,7 @@ CALLED = {
         ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"
     ),
 }
-# What the shapes of some things have that is no part by itself; and those of what is alive.
+# Parts of some things' shapes that are not separate ones; and those of living things.
 NO_PARTS = {
     "bookshelf": "shelf shelves",
     "desk": "leg legs feet",
@@ -285,7 +285,7 @@ OF_BODIES = frozenset(
     """head face neck chest torso belly shoulders shoulder arms arm legs leg hands hand feet foot
     nose mouth ears ear tail paws claws""".split()
 )
-# What is said of a part, where the thing has it: a colour, a material or a thing elsewhere.
+# Descriptions of a part, where the thing has it: a colour, a material or a thing elsewhere.
 SAID_OF_PARTS = {
     "cream": "icing",
     "vinyl": "record",
@@ -295,8 +295,8 @@ SAID_OF_PARTS = {
     "dots": "pips",
     "spots": "pips",
 }
-# Of what has cloth, straw or the like, and a frame: what of it a hard material is that is stated of
-# the whole. "A wooden lamp" has a shade of cloth.
+# Things with cloth, straw or similar, and a frame: the parts that get a hard material of the whole.
+# "A wooden lamp" has a shade of cloth.
 FRAMES = {
     noun: frozenset(parts.split())
     for noun, parts in {
@@ -333,7 +333,7 @@ FRAMES = {
         "wheelchair": "frame spokes",
     }.items()
 }
-# What a thing is with a part that it has not: "a horse with a horn".
+# Other names of a thing with a part that it lacks: "a horse with a horn".
 WITH_PARTS = {
     "pot": {"cooking pot": "handle handles lid"},
     "pumpkin": {"jackolantern": "face faces eyes mouth nose smile grin teeth"},
@@ -342,7 +342,7 @@ WITH_PARTS = {
     "bed": {"canopy bed": "canopy posts"},
     "bus": {"double decker bus": "decks decker floors levels"},
 }
-# What a thing may contain that lets it be seen, by its colour.
+# Visible contents of a thing, by their colours.
 CONTENTS = {
     **dict.fromkeys(("honey", "whiskey", "whisky", "rum", "cider", "beer", "tea"), "amber"),
     **dict.fromkeys(("jam", "ketchup"), "crimson"),
@@ -356,7 +356,7 @@ CONTENTS = {
     "ink": "black",
     "wine": "",  # its bottle's own green
 }
-# What stands on a part alone, and is gone with it.
+# Parts on another part alone, removed with it.
 BORNE = {
     "wheels": "hubs",
     "roof": "chimney",
@@ -364,24 +364,24 @@ BORNE = {
     "candles": "flames",
     "head": "eyes, bill, aerial",
 }
-# What most of a thing is, whatever it calls that; and what else it has.
+# Words for most of a thing, whatever its name for that; and for the rest.
 WHOLE = frozenset(
     """body case casing housing shell frame chassis bodywork exterior surface paint paintwork
     glaze varnish coating finish outside planks boards""".split()
 )
-# What is no thing by itself: "a guitar finish".
+# Words that are no separate thing: "a guitar finish".
 SURFACE = frozenset("exterior surface paint paintwork glaze varnish coating finish outside".split())
 TRIM = frozenset(
     """trim accent accents detail details detailing edging hardware fittings piping reinforcement
     reinforcements plating inlay inlays filigree banding bracing strapping embellishments ornaments
     highlights elements touches corners decoration decorations ornamentation""".split()
 )
-# Of these what is of metal comes first.
+# Metal ones of these come first.
 HARDWARE = frozenset(
     """hardware fittings reinforcement reinforcements plating bracing strapping banding
     corners""".split()
 )
-# What the trim is not where there is something else.
+# Parts that are not trim if there are others.
 SEATS = ("seat", "cushion")
 FEET = ("legs", "feet", "base")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".

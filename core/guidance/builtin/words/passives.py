@@ -1,4 +1,4 @@
-"""What is done to a thing, as what does it: "a tractor driven by a pig". Standard library only."""
+"""Passive phrases as active ones: "a tractor driven by a pig". Standard library only."""
 
 import re
 
@@ -28,7 +28,7 @@ _PASSIVE = re.compile(
 
 
 def made_active(prompt: str) -> str:
-    """The prompt with who does it first, where it begins so; what is guarded is beside it."""
+    """The prompt with the agent first, where it starts so; a guarded thing is next to it."""
     match = _PASSIVE.match(prompt)
     if match is None:
         return prompt

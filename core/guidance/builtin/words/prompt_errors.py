@@ -23,7 +23,7 @@ class UnknownWordsError(PromptError):
 
 
 def unknown_error(unknown: list[str], qualifiers: list[str], known: Vocabulary) -> UserError:
-    """The error for ``unknown`` words, of which the ``qualifiers`` are before a noun."""
+    """The error for ``unknown`` words, with the ``qualifiers`` that precede a noun."""
     nearest = {token: near_words(token, qualifiers, known) for token in unknown}
     texts = "; ".join(with_hint(token, near) for token, near in nearest.items())
     return UnknownWordsError(
@@ -41,7 +41,7 @@ class TwoWordsError(PromptError):
 
 
 def two_error(slot: str, words: list[str]) -> UserError:
-    """The error for more than one word where a slot takes one."""
+    """The error for more than one word in a slot that takes one."""
     return TwoWordsError(
         f"The built-in model takes one {slot} in a prompt and got "
         f"{' and '.join(repr(word) for word in dict.fromkeys(words))}.",
@@ -50,20 +50,21 @@ def two_error(slot: str, words: list[str]) -> UserError:
 
 
 def part_error(noun: str, part: str, there: bool, options: list[str]) -> UserError:
-    """The error for a part that the noun cannot have (``there``) or lack; ``options`` it can."""
+    """The error for a part that the noun cannot have (``there``) or lack; ``options``: those it
+    can."""
     choice = f"Use one of: {', '.join(options)}." if options else "Leave that out."
     state = f"with {part}" if there else f"without {part}"
     return UserError(f"The built-in model cannot make a {noun} {state}.", choice)
 
 
 def known_things(known: Vocabulary) -> str:
-    """Where to find the things: some, since all would fill the screen."""
+    """A hint to the list of things, with a few examples."""
     some = list(known["noun"])[5:20]
     return f"It knows {len(known['noun'])} things, such as {', '.join(some)}; all: run.py words."
 
 
 def near_words(token: str, qualifiers: list[str], known: Vocabulary) -> list[str]:
-    """The known words nearest to an unknown one; no things for what stands before a noun."""
+    """The known words nearest to an unknown one; no things for a word before a noun."""
     near = nearest_words(token, known)
     if token not in qualifiers:
         return near

@@ -24,7 +24,7 @@ from core.guidance.builtin.words.lexicon import (
 )
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.look_order import set_looks_in_order
-from core.guidance.builtin.words.mixture import share_out
+from core.guidance.builtin.words.mixture import distribute_materials
 from core.guidance.builtin.words.name_order import set_names_in_order
 from core.guidance.builtin.words.part_names import (
     as_part,
@@ -60,7 +60,7 @@ from core.guidance.builtin.words.words import (
     WITHOUT,
 )
 
-# Things that before a part are how it looks.
+# Things that describe a part behind them.
 AS_LOOKS = CALLED_SHADES | {name: AS_MATERIAL[name] for name in ("bone", "crystal")}
 AHEAD = 6  # words in which a thing may still come
 
@@ -68,7 +68,7 @@ AHEAD = 6  # words in which a thing may still come
 class Reading(Stature):
     """A prompt's words, sorted into slots.
 
-    ``alone``: what ends a phrase is a thing if it can be one: "a grey rock" is a boulder.
+    ``alone``: a phrase ends in a thing if it can be one: "a grey rock" is a boulder.
     """
 
     def __init__(self, prompt: str, known: Vocabulary, alone: bool = False) -> None:
@@ -93,16 +93,16 @@ class Reading(Stature):
         self._shade_as_qualified()
         self._leave_as_woven()
         self._spare_the_living()
-        share_out(self.got, self._tokens)
-        self._say_what_it_depicts()
+        distribute_materials(self.got, self._tokens)
+        self._set_depicted()
         self._darken_its_stripes()
         self._look_like_its_kind()
-        self._say_how_large()
-        self._say_how_round()
-        self._say_how_young()
+        self._set_size()
+        self._set_roundness()
+        self._set_age()
 
     def _take(self, at: int) -> int:
-        """Read from the token ``at`` on; how many tokens that were."""
+        """Parse from the token ``at`` on; the number of parsed tokens."""
         tokens = self._tokens.words[at:]
         token = tokens[0]
         if self._is_wider(token, at):  # "a corgi puppy", "a fox animal"
@@ -161,7 +161,7 @@ class Reading(Stature):
         elif token in SIZE_WORDS:
             if token != "little":  # "a little rusty"
                 self.got.leave_aside([token], "only the whole thing has a size")
-        elif self._says_how(token, at) or token in HOW_MADE:  # "painted white"
+        elif self._is_manner(token, at) or token in HOW_MADE:  # "painted white"
             pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
             self.got.left_out.append(token)
@@ -179,7 +179,7 @@ class Reading(Stature):
             self._without |= self._lacks_more(tokens)
             if token in EITHER and not (self._without or negated):  # "red or blue": it is both
                 self.got.left_out.append(token)
-            # "a statue of a lion": the article says nothing new.
+            # "a statue of a lion": the article has no meaning.
             word = self._ended_by if token in ARTICLES else token
             if self.got.found["noun"] and (token in GOES_WITH or self._accessory is not None):
                 self._go_with(word)
@@ -211,7 +211,7 @@ class Reading(Stature):
         return 1
 
     def _is_of_part(self, at: int) -> bool:
-        """Whether the word only says how a part of the thing is, which follows."""
+        """Whether the word only describes the following part of the thing."""
         end = self._tokens.qualities_end(at + 1, LOOKS)
         looks = self._tokens.qualities_begin(at, LOOKS) < at
         begins = self._tokens.words[at - 1] in (*GOES_WITH, *ARTICLES)
@@ -219,13 +219,13 @@ class Reading(Stature):
         return (looks or begins) and owns(self.got.thing, part)
 
     def _is_trade(self, token: str, at: int) -> bool:
-        """Whether an unknown word only says what somebody is: "a crocodile podiatrist"."""
+        """Whether an unknown word only names a figure's trade: "a crocodile podiatrist"."""
         behind = self._noun_end == at and is_creature(self.got.thing)
         return behind and TRADE.fullmatch(token) is not None
 
     def _correct(self, token: str, at: int) -> int:
-        """Read an unknown token as the word that it is a slip of; how many tokens that were."""
-        # Only where it is surely one known word; anything less is a hint in the error.
+        """Parse an unknown token as the word that it misspells; the number of parsed tokens."""
+        # Only for surely one known word; otherwise it is a hint in the error.
         own = looks_of(self.got.thing)
         close = corrected_phrase(self._tokens.words[at:])
         end = at + max(len(close.split()), 1)
@@ -240,7 +240,12 @@ class Reading(Stature):
 
     def _put(self, entry: Entry, start: int, end: int) -> None:
         self._strange = False  # what was unknown before it described it
-        if self._alone and entry.form in ALONE and not self.got.found["noun"] and self._stands(end):
+        if (
+            self._alone
+            and entry.form in ALONE
+            and not self.got.found["noun"]
+            and self._is_phrase_end(end)
+        ):
             entry = Entry("noun", ALONE[entry.form], entry.form)
         if entry.form in GEMS and self._has_gems():  # "a ring with an emerald"
             self._put(Entry("color", GEMS[entry.form], GEMS[entry.form]), start, end)
@@ -257,7 +262,7 @@ class Reading(Stature):
         if owner and self._owns_what_follows(end):  # "a knight's shield"
             self._leave_out(entry.form, end - start)
             return
-        if self._is_beside(entry, start, end):  # "a mermaid on a rock"
+        if self._is_next_to(entry, start, end):  # "a mermaid on a rock"
             self._leave_aside(entry.form)
             return
         if self._is_its_name(entry):
@@ -288,17 +293,17 @@ class Reading(Stature):
         # "with a hat" after the noun is a part; "a hat" is a thing
         if slot == "noun" and self.got.found["noun"]:
             noun = self.got.thing
-            # "pirate boots" are no pirate: what somebody wears is a thing by itself.
+            # "pirate boots" are not a pirate: a worn thing is a thing by itself.
             worn = self._noun_end == start and noun in GROUPS["Characters"]
             part = "" if worn else as_part(entry, noun)
-            if not part and self._is_said_of(entry, start):
+            if not part and self._is_description(entry, start):
                 if not self._depict(entry.form):
                     self.got.left_out.append(entry.form)
                 self._noun_end = end if self._noun_end == start else -1
                 return
             slot, word = ("part", part) if part else (slot, word)
             if slot == "noun" and self._late and self._noun_end < 0 and self._accessory is None:
-                self._accessory = self._begun  # ", green silk curtains"
+                self._accessory = self._started  # ", green silk curtains"
             if slot == "noun" and self._without:  # "a cake without candles"
                 slot = "part"
             if slot == "noun" and (self._accessory is not None or self._is_another_such(entry)):
@@ -324,11 +329,11 @@ class Reading(Stature):
                 self._take_block(entry, end)
             if slot == "weather" and entry.form.startswith("with ") and self.got.found["noun"]:
                 self._accessory = self.got.counts()  # "with moss and a crystal"
-        begun = self._begun if self._late and self._accessory is None else self._accessory
-        if slot == "pattern" and entry.form in FIGURES and begun is not None:
-            # "with orange stripes and a lid": it is complete, and what it lies on is not orange.
+        started = self._started if self._late and self._accessory is None else self._accessory
+        if slot == "pattern" and entry.form in FIGURES and started is not None:
+            # "with orange stripes and a lid": it is complete, and the part below is not orange.
             colors = self.got.found["color"]
-            if begun["color"] == 0 and len(colors) == 1:
+            if started["color"] == 0 and len(colors) == 1:
                 self.got.figure = colors[0]
             self._accessory = self._accessory and self.got.counts()
         if slot in LOOKS and (self.got.found["noun"] or self._without):
@@ -339,17 +344,17 @@ class Reading(Stature):
             self._without = False
 
     def _state(self, part: str, form: str) -> None:
-        """ "with a blue leather handle": what is right before a part is the part's, not the
+        """ "With a blue leather handle": the look right before a part is the part's, not the
         thing's."""
         own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
         own |= self._clearest(own)
         if "shape" in own:
             self.got.leave_aside([own["shape"].form], "only the whole thing has a shape")
-        begun = (self._accessory or {}).get("weather", len(self.got.found["weather"]))
-        for one in self.got.found["weather"][begun:]:  # "with a mossy roof"
+        started = (self._accessory or {}).get("weather", len(self.got.found["weather"]))
+        for one in self.got.found["weather"][started:]:  # "with a mossy roof"
             self.got.found["weather"].remove(one)
             self.got.leave_aside([one.form], f"only the whole thing can be {one.word}")
-        # "with a red and white striped sail": the first of two is what the other is drawn on.
+        # "with a red and white striped sail": the first of two is the ground of the other.
         color, second = own.get("color"), None
         if "pattern" in own and color and self._ended_by == "and" and (red := self._color_before()):
             color, second = red, color
@@ -359,12 +364,12 @@ class Reading(Stature):
             return
         colors = [(one.word, shade(*one[1:])) if one else ("", "") for one in (color, second)]
         sheen, pattern = (own[look].word if look in own else "" for look in ("sheen", "pattern"))
-        said = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
-        self.got.parts.append(StatedPart(part, True, *said))
+        stated = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
+        self.got.parts.append(StatedPart(part, True, *stated))
 
     def _clearest(self, own: dict[str, Entry]) -> dict[str, Entry]:
-        """Of several looks of a slot right before a part the one that says most, in the place of
-        the last: "with gold metal legs", "a tortoiseshell acetate frame"."""
+        """The most specific of several looks of a slot right before a part, in the place of the
+        last: "with gold metal legs", "a tortoiseshell acetate frame"."""
         clearest = {}
         for look, last in own.items():
             more = [self.got.found[look].pop() for _ in range(self._looks.count(look) - 1)]
@@ -375,7 +380,7 @@ class Reading(Stature):
         return clearest
 
     def _note_whole(self, part: str, form: str, start: int) -> None:
-        """Of "a sword handle" the whole sword is made."""
+        """ "A sword handle" is made as the whole sword."""
         if self._noun_end == start and not self._without:
             noun = self.got.found["noun"][-1]
             if not may_state(noun.word, part):
@@ -390,7 +395,7 @@ class Reading(Stature):
             self.got.leave_aside([" ".join(filter(None, words))], why)
 
     def _why_strange(self, part: StatedPart) -> str:
-        """Why a part that the thing has not as a part by itself is left out."""
+        """The reason why a part that is not a separate part of the thing is left out."""
         whole = with_article("noun", self.got.thing)
         if part.name in LEGS and has_legs(self.got.thing):
             return f"the legs of {whole} are not counted"
@@ -398,7 +403,7 @@ class Reading(Stature):
         return NOT_APART if within else f"{whole} has none here"
 
     def _head(self, noun: Entry, start: int, end: int) -> None:
-        """``noun`` ends a compound: what is unknown before it qualifies it, and so does another
+        """End a compound with ``noun``: unknown words before it qualify it, and so does another
         noun right before it ("desk lamp")."""
         # Also of "a train station clock".
         behind = self._noun_end + len(self._pending)
@@ -421,5 +426,5 @@ class Reading(Stature):
 
 
 def _says(look: Entry) -> tuple[bool, bool, bool]:
-    """How much a look says, of several of one part: "a rusted corrugated metal roof"."""
+    """How specific a look is among several of one part: "a rusted corrugated metal roof"."""
     return look.form not in PLAIN, look.word == "rusty", has_own_look(look.form)

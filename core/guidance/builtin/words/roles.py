@@ -1,5 +1,4 @@
-"""Roles: "a penguin chef", "a pirate cat", "a farmer", "a cat dressed as a wizard". Whoever has one
-wears and holds what tells it.
+"""Roles: "a penguin chef", "a pirate cat", "a farmer", "a cat dressed as a wizard": their costumes.
 
 Standard library only.
 """
@@ -38,7 +37,7 @@ _DRESSED = re.compile(
 
 
 class Name(NamedTuple):
-    """What one or a few words of a prompt name."""
+    """The meaning of one or a few words of a prompt."""
 
     text: str
     noun: str  # "": a role alone, such as "police"
@@ -47,7 +46,7 @@ class Name(NamedTuple):
 
 
 def undisguised(prompt: str) -> tuple[str, tuple[str, ...]]:
-    """The prompt without what says the role; each that is worn or held, as "wearing a hat"."""
+    """The prompt with the role replaced by its costume, as "wearing a hat"."""
     if not _HAS_ROLE.search(prompt):
         return prompt, ()
     written = [(start, end) for _, start, end in drawn_in(prompt)]
@@ -71,12 +70,12 @@ def _in_role(prompt: str, first: Name, last: Name) -> tuple[str, tuple[str, ...]
     if makes or (last.text in HUNTERS and is_animal(first.noun)):  # "a sushi chef"
         worn = ROLES[last.text] if last.noun == PERSON else ()
         return _without(prompt, first), worn
-    # "A woman warrior", "a robot knight": what there is of the role is a thing of its own.
+    # "A woman warrior", "a robot knight": the role is a thing of its own.
     if first.noun == PERSON and last.noun in own and last.text in ROLES:
         return _without(prompt, first), ()
     if first.noun == ROBOT and last.noun in own:
         return prompt, ()
-    # Of two roles the last is who it is, "a warrior princess", unless it is a mere person.
+    # The last of two roles is the figure, "a warrior princess", unless it is only a person.
     leads = first.text in ROLES and last.noun and (last.noun != PERSON or first.noun not in own)
     for role, other in ((first, last), (last, first))[:: 1 if leads else -1]:
         if role.text in ROLES and is_dressed(other.noun) and not _is_kind(role, other):
@@ -85,7 +84,7 @@ def _in_role(prompt: str, first: Name, last: Name) -> tuple[str, tuple[str, ...]
 
 
 def _is_kind(role: Name, other: Name) -> bool:
-    """Whether both are one animal's name, or a cake's: "a soldier ant", "a king cake"."""
+    """Whether both are one name of an animal or a cake: "a soldier ant", "a king cake"."""
     if role.start > other.start:
         return False
     kind = role.text in OF_KINDS and other.noun in KINDS
@@ -97,16 +96,16 @@ def _without(prompt: str, name: Name) -> str:
 
 
 def first_names(prompt: str) -> Iterator[Name]:
-    """Those that stand together where a prompt first names anything."""
+    """The adjacent names where a prompt first names anything."""
     tokens = list(TOKEN.finditer(prompt))
-    at, begun = 0, False
+    at, started = 0, False
     while at < len(tokens):
         counts = range(min(LONGEST, len(tokens) - at), 0, -1)
         name = next(filter(None, (_named(tokens[at : at + k]) for k in counts)), None)
-        if name is None and begun:
+        if name is None and started:
             return
         if name:
-            begun = True
+            started = True
             yield name
         at += len(name.text.split()) if name else 1
 

@@ -38,9 +38,9 @@ def usual(
     noun: str, material: str = "", toy: bool = False, kind_size: float = 0.0
 ) -> tuple[float, float]:
     """The size in metres and the density in kg/m³, averaged over the volume, of a thing of
-    ``material``; "" is the usual one. A toy is no longer than a forearm.
+    ``material``; "": the usual one. A toy is no longer than a forearm.
 
-    kind_size: that of the kind of thing that is meant, where it has its own; else 0.
+    kind_size: that of the kind, where it has its own; else 0.
     """
     size, own, filled = NOUNS[noun].usual if noun in NOUNS else UNKNOWN
     size = kind_size or size

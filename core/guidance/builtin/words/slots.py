@@ -1,4 +1,4 @@
-"""What a prompt says, by slot. Standard library only."""
+"""The contents of a prompt, by slot. Standard library only."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
@@ -28,26 +28,28 @@ class Words:
     color: str = ""
     material: str = ""
     pattern: str = ""
-    second: str = ""  # colour, of what the pattern, the target or the accent parts are painted with
+    second: str = ""  # colour of the pattern, the target or the accent parts
     target: str = ""  # the part that the second colour is for
-    accents: tuple[Accent, ...] = ()  # what other parts have of their own
-    weather: tuple[str, ...] = ()  # what time has done to it
-    sheen: tuple[str, ...] = ()  # how it shines
+    accents: tuple[Accent, ...] = ()  # words for other parts
+    weather: tuple[str, ...] = ()  # weathering
+    sheen: tuple[str, ...] = ()  # gloss
     is_statue: bool = False  # of one material all over, eyes and all
-    kinds: tuple[int, ...] = field(default=(), compare=False)  # of the drawn noun, if not any
+    kinds: tuple[int, ...] = field(
+        default=(), compare=False
+    )  # allowed kinds of the drawn noun; (): all
     is_toy: bool = field(default=False, compare=False)  # or another small likeness of the thing
     kind_size: float = field(default=0.0, compare=False)  # metres; 0: the thing's own
     scale: float = field(default=1.0, compare=False)  # of its usual size
-    color_form: str = ""  # the first colour's shade, where that has a name of its own
+    color_form: str = ""  # the first colour's shade, where that has its own name
     second_form: str = ""
-    material_form: str = field(default="", compare=False)  # the material as it was written
+    material_form: str = field(default="", compare=False)  # the material as written
     size: Size | None = field(default=None, compare=False)
-    absent: tuple[str, ...] = ()  # the thing's parts that it is to be made without
+    absent: tuple[str, ...] = ()  # parts that are left out on request
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     companions: tuple["Companion", ...] = ()  # other things that are made with it
     count: int = 1  # how many of it are made
-    order: Order = "row"  # how several of it lie
-    notes: tuple[str, ...] = field(default=(), compare=False)  # what the user should know
+    order: Order = "row"  # their arrangement
+    notes: tuple[str, ...] = field(default=(), compare=False)  # notes for the user
     left_out: tuple[str, ...] = field(default=(), compare=False)  # words without effect
 
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
@@ -62,13 +64,13 @@ class Words:
         return found | {part: word for part, word in own.items() if word}
 
     def stated_parts(self) -> list[str]:
-        """What the thing is to have, and "no ..." of what it is to lack."""
+        """The parts that the thing should have, and "no ..." for those that it should lack."""
         lacked = [f"no {part}" for part in self.absent]
         return list(dict.fromkeys([*filter(None, [self.part]), *lacked]))
 
     def usual(self) -> tuple[float, float]:
-        """The thing's usual size in metres, as "small" and the like have it, and its density in
-        kg/m³."""
+        """The thing's usual size in metres, changed by "small" and similar words, and its density
+        in kg/m³."""
         # Of an animal these are colours of its fur.
         furry = self.material_form in ALSO_OF_FUR and not self.is_statue and is_animal(self.noun)
         material = "" if furry else self.material
@@ -76,7 +78,7 @@ class Words:
         return min(max(round(size * self.scale, 4), SIZES[0]), SIZES[1]), density
 
     def named_material(self) -> str:
-        """The material as it was written, where it gets its own detail; else its word."""
+        """The material as written, where it gets its own detail; else its word."""
         return self.material_form if has_own_look(self.material_form) else self.material
 
     def part_materials(self) -> dict[str, str]:
@@ -86,13 +88,13 @@ class Words:
         return {part: forms[part] if has_own_look(forms[part]) else own[part] for part in own}
 
     def part_patterns(self) -> dict[str, str]:
-        """The pattern of each part that has its own, and the colour that it is drawn with."""
+        """The pattern of each part with its own, and its second colour."""
         seconds = {accent.part: accent.second_form or accent.second for accent in self.accents}
         own = self.of_parts("pattern")
         return {part: " with ".join(filter(None, (own[part], seconds[part]))) for part in own}
 
     def part_shades(self) -> dict[str, str]:
-        """The colour of each part that has its own, as it was written."""
+        """The colour of each part with its own, as written."""
         forms = {accent.part: accent.color_form for accent in self.accents}
         forms |= {self.target: self.second_form}
         return {part: forms.get(part) or word for part, word in self.of_parts("color").items()}
@@ -103,8 +105,8 @@ class Words:
 
 
 class Companion(NamedTuple):
-    """Another thing that a prompt wants on, in or under the first."""
+    """Another thing that a prompt requests on, in or under the first."""
 
     relation: Relation
     words: Words
-    verb: str = ""  # what the first does there: "sitting", "riding"
+    verb: str = ""  # the first thing's activity: "sitting", "riding"

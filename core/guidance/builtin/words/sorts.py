@@ -1,22 +1,22 @@
-"""Sorts of a thing that words name, and which of the solids' network's kinds they are.
+"""Sorts of a thing in words, and their kinds in the solids' network.
 
-A sort was seen in what the weights draw, so it goes with them: ``core/tests/test_prior_sorts.py``
+A sort was seen in what the weights draw, so it belongs to them: ``core/tests/test_prior_sorts.py``
 measures each against the thing's others. Standard library only.
 """
 
 import re
 from typing import NamedTuple
 
-# What names where a thing is, or what is beside it.
+# Words for a thing's place, or for a thing next to it.
 BESIDE = r"\b(?:next to|beside|near|on|by|under|behind|in front of|against|for)\b"
 OF_WHOLE = "round circular square rectangular oblong oval flat artist".split()
 
 
 class Sort(NamedTuple):
-    """What a prompt says of which sort of the thing is meant."""
+    """A sort of the thing in a prompt."""
 
-    said: tuple[str, ...] = ()  # the words that name it
-    kinds: tuple[int, ...] = ()  # of the noun's in the network; none: any
+    stated: tuple[str, ...] = ()  # its words
+    kinds: tuple[int, ...] = ()  # kinds of the noun in the network; (): any
     size_m: float = 0.0  # its usual size; 0: the thing's
 
     def __bool__(self) -> bool:
@@ -24,8 +24,8 @@ class Sort(NamedTuple):
 
 
 def sort_of(noun: str, prompt: str) -> Sort:
-    """The first of the noun's sorts that a word of the prompt names, if it is not denied, and not
-    said of another thing or, of a form, of a part."""
+    """The first of the noun's sorts that a word of the prompt names, unless it is negated, belongs
+    to another thing or, for a form, to a part."""
     text = re.sub(r"[\W_]+", " ", prompt.lower())
     own = re.split(BESIDE, text)[0]
     whole = re.split(r"\b(?:with|whose|that has)\b", own)[0]

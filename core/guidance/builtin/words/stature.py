@@ -1,4 +1,4 @@
-"""How large, how round and how young a prompt's thing is to be. Standard library only."""
+"""The size, the roundness and the age of a prompt's thing. Standard library only."""
 
 from core.guidance.builtin.part_forms import is_round
 from core.guidance.builtin.words.findings import with_article
@@ -10,10 +10,10 @@ from core.guidance.builtin.words.words import PLUMP, SIZE_WORDS
 
 
 class Stature(Likeness):
-    """What is read of a thing's size and form as a whole."""
+    """The parsed size and form of the whole thing."""
 
-    def _say_how_large(self) -> None:
-        """What "small" and the like change, if anything."""
+    def _set_size(self) -> None:
+        """Apply "small" and similar words."""
         for more in self.got.size_words[1:]:
             self.got.leave_aside([more], "one size is taken")
         for word in self.got.size_words[:1]:
@@ -23,7 +23,7 @@ class Stature(Likeness):
                 self.got.scale = SIZE_WORDS[word]
                 self.got.notes.append(f"{word}: made {self.got.scale:g} times its usual size.")
 
-    def _say_how_round(self) -> None:
+    def _set_roundness(self) -> None:
         """A round table is another table, not a swollen one; a round cat is a plump one."""
         thing, shapes = self.got.thing, self.got.found["shape"]
         stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
@@ -37,8 +37,8 @@ class Stature(Likeness):
                 why = f"{with_article('noun', thing)} keeps its own form here"
                 self.got.leave_aside([one.form], why)
 
-    def _say_how_young(self) -> None:
-        """A cub is smaller than what it grows to be."""
+    def _set_age(self) -> None:
+        """A cub is smaller than an adult."""
         thing, young = self.got.thing, [one for one in self.got.qualifiers if one in YOUNG]
         alive = is_animal(thing) or is_somebody(thing)
         forms = {word for one in self.got.found["noun"] for word in one.form.split()}

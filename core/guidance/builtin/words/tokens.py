@@ -10,8 +10,8 @@ from core.guidance.builtin.words.words import FILLER, LOOKS, PHRASE_ENDS, SHORT
 
 POSSESSIVE = "'s"
 LONGEST = 3  # words of a phrase
-DOING = re.compile("[a-z]{3,}ing|doing|going")  # what a thing does
-TRADE = re.compile("[a-z]{3,}(?:ist|ian|man|woman|eer)")  # who somebody is
+DOING = re.compile("[a-z]{3,}ing|doing|going")  # activities
+TRADE = re.compile("[a-z]{3,}(?:ist|ian|man|woman|eer)")  # trades
 DONE = re.compile("[a-z]{2,}[^e]ed")  # what was done to it
 # What it is like; a catfish is a thing.
 LIKE = re.compile("[a-z]{3,}(?:ful|ous|(?<!f)ish|less|ical|esque|istic|ural|ly)")
@@ -27,7 +27,7 @@ NOT = re.compile(
     r"|(?:\b(?:do|does|did|ca|wo))?n['\u2019]t\b",
     re.IGNORECASE,
 )
-# What the words behind a colon are of.
+# Keys before a colon.
 STATED = re.compile(
     r"([,;.(]\s*(?:the )?)([a-z]+)\s*[:=]\s*([^,;:.()=]*[^,;:.()=\s])", re.IGNORECASE
 )
@@ -40,20 +40,22 @@ NUMBER = re.compile("[0-9]+[a-z]{0,2}")  # with its unit: "60", "1950s", "2m"
 
 @dataclass
 class Tokens:
-    """A prompt's words in lower case; what is short for a word is that word."""
+    """A prompt's words in lower case; abbreviations are expanded."""
 
     known: Vocabulary
     words: list[str] = field(default_factory=list)
     breaks: set[int] = field(default_factory=set)  # indices of those that punctuation precedes
-    owners: set[int] = field(default_factory=set)  # of those that are possessive, without their s
+    owners: set[int] = field(default_factory=set)  # of possessives, without their s
     sizes: list[Size] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    measures: list[str] = field(default_factory=list)  # of what is no size, as they were written
+    measures: list[str] = field(
+        default_factory=list
+    )  # of measurements that are not sizes, as written
     _entries: dict[str, Entry | None] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def of(cls, prompt: str, known: Vocabulary) -> "Tokens":
-        """The words of a prompt; ``known`` are those that may be asked for."""
+        """The words of a prompt; ``known``: the offered words."""
         found = cls(known)
         prompt = STATED.sub(found._keyed, prompt)
         plain, found.sizes, found.measures = set_apart(NOT.sub(" not", prompt))
@@ -70,7 +72,7 @@ class Tokens:
 
     @staticmethod
     def _keyed(found: re.Match[str]) -> str:
-        """What a key states: "wheels: yellow" are yellow wheels, "material: oak" is oak."""
+        """Key-value phrases: "wheels: yellow" means yellow wheels, "material: oak" oak."""
         before, key, value = found.groups()
         if key.lower() in KEYS:
             return f"{before}{value}"
@@ -98,7 +100,7 @@ class Tokens:
         self.owners = {k if k < begin else k - gone for k in self.owners if not begin <= k < end}
 
     def put(self, begin: int, end: int, words: list[str]) -> None:
-        """Put other words in the place of those from one index up to another."""
+        """Replace the words from one index up to another."""
         if (more := len(words) - (end - begin)) > 0:
             self.words[end:end] = [""] * more
             self.breaks = {k + more if k >= end else k for k in self.breaks}
@@ -114,15 +116,15 @@ class Tokens:
         self.words += words
 
     def phrases(self, at: int) -> list[str]:
-        """What begins at the index, the longest first: "ice cream" is not the colour "cream"."""
+        """The phrases at the index, the longest first: "ice cream" is not the colour "cream"."""
         # Not across a comma: "a car, wheels silver" is no car wheel.
         ends = (k for k in range(at + 1, at + LONGEST) if k in self.breaks)
         words = self.words[at : next(ends, at + LONGEST)]
         return [" ".join(words[:count]) for count in range(len(words), 0, -1)]
 
     def toned(self, at: int) -> tuple[Entry, int] | None:
-        """The colour or the material with the tone that begins at the index, and how many words
-        that takes: "dark teal", "light oak". None where the whole is a word by itself."""
+        """The colour or the material with the tone at the index, and its number of words: "dark
+        teal", "light oak". None where the whole is a word by itself."""
         tone = self.words[at] if at < len(self.words) else ""
         if tone not in TOWARDS:
             return None
@@ -136,7 +138,7 @@ class Tokens:
         return None
 
     def qualities_begin(self, end: int, slots: tuple[str, ...] = (*LOOKS, "weather")) -> int:
-        """Where the colours, materials and so on right before the index begin."""
+        """The start of the colours, materials and so on right before the index."""
         begin = end
         while begin and begin not in self.breaks:
             counts = range(min(LONGEST, begin), 0, -1)
@@ -147,7 +149,7 @@ class Tokens:
         return begin
 
     def qualities_end(self, begin: int, slots: tuple[str, ...]) -> int:
-        """Where the colours, materials and so on that begin at the index end."""
+        """The end of the colours, materials and so on at the index."""
         end = begin
         while end < len(self.words) and (end == begin or end not in self.breaks):
             phrases = (phrase.split() for phrase in self.phrases(end))
@@ -165,7 +167,7 @@ class Tokens:
         return phrase in TOWARDS or (entry is not None and entry.slot in slots)
 
     def entry(self, phrase: str) -> Entry | None:
-        """What the phrase means by itself, if anything; looked up once."""
+        """The meaning of the phrase by itself, if any; looked up once."""
         if phrase not in self._entries:
             self._entries[phrase] = look_up(phrase, self.known)
         return self._entries[phrase]
@@ -176,7 +178,7 @@ class Tokens:
         return entry.word if entry is not None and entry.slot == "noun" else ""
 
     def take_first(self, begin: int, end: int) -> None:
-        """Put the words between the indices, a clause, before all others."""
+        """Move the words between the indices, a clause, before all others."""
         order = [*range(begin, end), *range(begin), *range(end, len(self.words))]
         place = {old: new for new, old in enumerate([*order, len(order)])}
         # Punctuation precedes now what was first.
@@ -185,15 +187,15 @@ class Tokens:
         self.words = [self.words[k] for k in order]
 
     def first_thing(self, at: int) -> str:
-        """The thing whose name begins at the index, or ""."""
+        """The thing whose name starts at the index, or ""."""
         return next(filter(None, map(self.thing, self.phrases(at))), "")
 
     def has_thing(self, at: int) -> bool:
-        """Whether a thing's name begins at the index."""
+        """Whether a thing's name starts at the index."""
         return at < len(self.words) and bool(self.first_thing(at))
 
     def ends_phrase(self, end: int) -> bool:
-        """Whether a phrase ends before the index, and goes on with no "and"."""
+        """Whether a phrase ends before the index, without an "and" behind it."""
         if end in (*self.breaks, len(self.words)):
             return True
         after = self.words[end]
@@ -201,5 +203,5 @@ class Tokens:
 
 
 def describes(word: str) -> bool:
-    """Whether a word that is not known only says what another is like, and names nothing."""
+    """Whether an unknown word is only a description, not a name."""
     return any(form.fullmatch(word) for form in (DONE, LIKE, NUMBER))

@@ -1,10 +1,10 @@
-"""The parser of the built-in prior's prompts, which refuses by name what it does not know.
+"""The parser of the built-in prior's prompts, which refuses unknown words by name.
 
-A prompt is read into slots (``Words``). Order is free; articles, plurals, case and filler are
-passed over. A note states what was not taken to the letter: a close misspelling that is read as
-what it is close to, a narrower word that is made as a wider one, an adjective that is left out, an
-unknown word before a known noun ("office chair"), also left out. Any other unknown word is an error
-that names it, or, where the user asks for that, is left out too.
+A prompt is parsed into slots (``Words``). Order is free; articles, plurals, case and filler are
+skipped. A note reports every deviation: a close misspelling that is read as a known word, a
+narrower word that is made as a wider one, an adjective that is left out, an unknown word before a
+known noun ("office chair"), also left out. Any other unknown word is an error that names it, or, on
+the user's request, is left out too.
 
 Standard library only, so that ``run.py words`` and the panel need not load a network.
 """
@@ -66,11 +66,11 @@ ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 def understood(
     prompt: str, known: Vocabulary | None = None, ignore_unknown: bool = False
 ) -> dict[str, Any]:
-    """What the built-in prior makes of ``prompt``, as plain data.
+    """The built-in prior's reading of ``prompt``, as plain data.
 
     Args:
-        known: the words that may be asked for; None: those that the shipped weights offer.
-        ignore_unknown: leave out what is not known.
+        known: the offered words; None: those of the shipped weights.
+        ignore_unknown: leave out unknown words.
 
     Raises:
         UserError: as ``parse``; ``UnknownWordsError`` has the nearest known words.
@@ -98,7 +98,7 @@ def understood(
 
 
 def _looks(words: Words) -> dict[str, Any]:
-    """A thing, and how it looks."""
+    """A thing, and its look."""
     second = "" if words.target else words.second_form or words.second
     return {
         "thing": words.noun,
@@ -114,8 +114,8 @@ def _looks(words: Words) -> dict[str, Any]:
 
 
 def words_report(prompt: str, ignore_unknown: bool = False) -> tuple[dict[str, Any], int]:
-    """``understood`` and exit code 0; or why the prompt is refused, with the nearest known words of
-    each unknown one, and the error's exit code."""
+    """``understood`` and exit code 0; or the reason why the prompt is refused, with the nearest
+    known words of each unknown one, and the error's exit code."""
     try:
         return understood(prompt, ignore_unknown=ignore_unknown), 0
     except UserError as error:
@@ -131,9 +131,9 @@ def parse(
     known: Vocabulary = SLOTS,
     ignore_unknown: bool = False,
 ) -> Words:
-    """Read a prompt into slots; ``known`` are the words that may be asked for.
+    """Parse a prompt into slots; ``known``: the offered words.
 
-    Raises ``UserError`` that names every word it does not know with the nearest it does (unless
+    Raises ``UserError`` that names every unknown word with the nearest known ones (unless
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
@@ -165,7 +165,7 @@ def parse(
 def _side_by_side(
     joins: re.Pattern[str], prompt: str, known: Vocabulary, ignore_unknown: bool
 ) -> Words | None:
-    """ "A table and a chair": the second beside the first, where one of ``joins`` is between."""
+    """ "A table and a chair": the second next to the first, where one of ``joins`` is between."""
     for joined in joins.finditer(prompt):
         phrase = prompt[joined.end() :]
         try:
@@ -184,7 +184,7 @@ def _side_by_side(
 
 
 def _row(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words | None:
-    """ "A fork, a knife and a spoon": each beside the first."""
+    """ "A fork, a knife and a spoon": each next to the first."""
     phrases = in_a_row(prompt)
     if not 0 < len(phrases) <= MOST + 1:
         return None
@@ -208,7 +208,7 @@ def _is_one_name(phrase: str) -> bool:
 def _parsed(
     prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool, room: int = MOST
 ) -> Words:
-    """``room``: of how many companions what only a role has may be."""
+    """``room``: the number of companions that a costume may add."""
     if not noun_needed:
         return _parse_alone(prompt, False, known, ignore_unknown)
     prompt, costume = undisguised(prompt)
@@ -216,7 +216,7 @@ def _parsed(
     if companions:
         try:
             words = _parse_alone(rest, True, known, ignore_unknown)
-        except UserError:  # what is left is no prompt by itself
+        except UserError:  # the rest is not a prompt by itself
             return _parse_alone(prompt, True, known, ignore_unknown)
         return _together(words, companions)
     return _parse_alone(prompt, True, known, ignore_unknown)
@@ -225,8 +225,8 @@ def _parsed(
 def _companions(
     prompt: str, known: Vocabulary, ignore_unknown: bool, costume: Iterable[str], room: int
 ) -> tuple[list[Found], str]:
-    """What else the prompt wants with the thing, and the prompt without it. What a costume has
-    besides comes last."""
+    """The companions that the prompt requests, and the prompt without them; those of a costume come
+    last."""
 
     @cache
     def read(phrase: str) -> Read | None:
@@ -236,7 +236,7 @@ def _companions(
             return None
         got = _read(emblems_in(phrase)[1], known, True)
         entries = got.found["noun"]
-        return Read(entries[0], words, got.counted.said) if entries else None
+        return Read(entries[0], words, got.counted.given) if entries else None
 
     @cache
     def first_of(text: str) -> str:
@@ -247,14 +247,14 @@ def _companions(
     for one in costume if is_dressed(thing) else ():
         worn, _ = companions_in(f"{thing} {one}", read, first_of, found)
         for more in worn[len(found) : room]:
-            if not any(_are_alike(more, other) for other in found):
-                # Nobody has said a word of it.
+            if not any(_are_equivalent(more, other) for other in found):
+                # The prompt does not state it.
                 quiet = replace(more.words, notes=(), left_out=())
                 found.append(more._replace(words=quiet))
     return found, rest
 
 
-def _are_alike(one: Found, other: Found) -> bool:
+def _are_equivalent(one: Found, other: Found) -> bool:
     """Whether both are in a hand, on a body, or the same."""
     both = {one.words.noun, other.words.noun}
     held = one.relation == other.relation == "holds"
@@ -262,7 +262,7 @@ def _are_alike(one: Found, other: Found) -> bool:
 
 
 def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unknown: bool) -> Words:
-    """As ``parse``, of a prompt that wants one thing."""
+    """As ``parse``, for a prompt about one thing."""
     emblems, rest = emblems_in(prompt) if noun_needed else ((), prompt)
     got = _read(rest, known, noun_needed)
     shapes = {emblem.shape for emblem in emblems if emblem.shape}
@@ -271,9 +271,9 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     if own:  # a medal's star is a part of it
         emblems, rest = emblems_in(prompt, own)
         got = _read(rest, known, noun_needed)
-    if emblems and noun_needed and not got.found["noun"]:  # what is in quotes may be the thing
+    if emblems and noun_needed and not got.found["noun"]:  # the quoted words may be the thing
         emblems, got = (), _read(prompt, known, noun_needed)
-    # Before the missing noun: an error with the nearest known words says more.
+    # Before the missing noun: an error with the nearest known words is more useful.
     if got.refused and not ignore_unknown:
         raise unknown_error(got.refused, got.qualifiers, known)
     if noun_needed and not got.found["noun"]:
@@ -286,8 +286,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
             f"{known_things(known)} {ELSEWHERE}",
         )
     sort = sort_of(got.thing, prompt) or got.sort
-    got.take_as_sort(sort.said)
-    # The part last: what may be stated of it depends on the noun.
+    got.take_as_sort(sort.given)
+    # The part last: its possible words depend on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
@@ -296,7 +296,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words["sheen"] = tuple(got.words("sheen"))
     words |= {"is_statue": got.is_statue, "is_toy": got.is_toy, "kinds": sort.kinds}
     words |= {"kind_size": got.kind_size() or sort.size_m, "scale": got.scale, "size": got.size()}
-    # "Upholstered in velvet": what only says that it is of fabric says less.
+    # "Upholstered in velvet": "upholstered" only states fabric.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(
         (form for form in forms if form not in PLAIN), forms[0] if forms else ""
@@ -312,7 +312,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
 
 
 def _together(words: Words, found: Iterable[Found]) -> Words:
-    """The thing with these others, with what there is to know of them too."""
+    """The thing with these companions, and their notes."""
     found = list(found)
     companions = tuple(Companion(one.relation, _matched(words, one), one.verb) for one in found)
     words = replace(words, accents=(*words.accents, *_of_suits(words, found)))
@@ -327,7 +327,7 @@ def _together(words: Words, found: Iterable[Found]) -> Words:
 
 
 def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
-    """The trousers of a suit that somebody wears who has other ones."""
+    """The trousers of a worn suit, for a wearer with other ones."""
     if words.is_statue:
         return
     stated = {words.target, *(accent.part for accent in words.accents)}
@@ -340,7 +340,7 @@ def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
 
 
 def _matched(first: Words, found: Found) -> Words:
-    """What a statue wears, holds or rides is of its material, where none is stated."""
+    """Companions of a statue have its material, unless one is stated."""
     words = found.words
     if found.relation == "wears" and words.noun in CLOTHING:  # it is as large as its wearer
         notes = tuple(note for note in words.notes if not note.endswith((*ITS_SIZE, *SHAPED)))
@@ -361,12 +361,12 @@ def _states_look(phrase: str) -> bool:
 
 
 def _about(note: str, noun: str) -> str:
-    """A note on another thing than the first, which would be taken for that."""
+    """A note on a companion, which would be taken for the first thing otherwise."""
     return note.replace(": made ", f": the {noun} is made ") if note.endswith(ITS_SIZE) else note
 
 
 def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
-    """The blue of blue jeans, and of what is of blue denim."""
+    """The blue of blue jeans, and of blue denim things."""
     denim = words["material_form"] == "denim" or names & {"jeans", "jean"}
     if not denim or (words["color_form"] or words["color"]) != "blue":
         return {}
@@ -375,7 +375,7 @@ def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
 
 
 def _read(prompt: str, known: Vocabulary, noun_needed: bool) -> Findings:
-    """What the words are found to say; without a thing, what may be one by itself."""
+    """The findings of the words; without a thing, a word that may be one by itself."""
     got = Reading(prompt, known).got
     if noun_needed and not got.found["noun"]:
         got = Reading(prompt, known, alone=True).got

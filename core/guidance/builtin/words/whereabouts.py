@@ -1,4 +1,4 @@
-"""Where a thing is that another one is said to be with: a vase on a table, a tree beside a house.
+"""The place of a thing that accompanies another: a vase on a table, a tree next to a house.
 
 Standard library only.
 """
@@ -14,15 +14,15 @@ from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.sizes import usual
 
-# Of the first thing, some of it in a row or in a heap; "" is none that is clear.
+# Relative to the first thing, several in a row or in a heap; "": unclear.
 Place = Literal["on", "three on", "heaped on", "in", "by", ""]
-# How a prompt says that it stands beside the thing.
+# Words for a place next to the thing.
 BY_IT = (
     "(?:next to|beside|near|behind|in front of|around|(?:leaning|propped) (?:up )?"
     "(?:against|on)) (?:it|them)|"
     "(?:at|by|on) (?:its|each|either|one|both) sides?(?! of)"
 )
-# On these things stand, and are not painted.
+# Things on these are real, not painted.
 TOPS = frozenset(
     (
         "table, desk, coffee table, picnic table, pool table, nightstand, dresser, cabinet, stool, "
@@ -32,10 +32,10 @@ TOPS = frozenset(
     ).split(", ")
 )
 _FURNITURE = frozenset(GROUPS["Furniture"]) - {"lamp", "pillow", "shelf", "mirror", "beanbag"}
-LAID = frozenset(("rug", "towel"))  # what is with them may be a picture
-_LEVEL = LAID | {"pallet", "trailer"}  # furniture stands on these
-_TALL = 0.5  # times as long as a table: what stands beside it, if it grows or is driven
-_LARGEST = 1.2  # times as long as what it is on or in
+LAID = frozenset(("rug", "towel"))  # a thing with them may be a picture
+_LEVEL = LAID | {"pallet", "trailer"}  # furniture may be on these
+_TALL = 0.5  # times as long as a table: plants and vehicles next to it
+_LARGEST = 1.2  # times as long as its support or container
 _VEHICLES = frozenset(GROUPS["Vehicles"]) | frozenset(GROUPS["Aircraft and Space"])
 _OF_VEHICLES = (
     frozenset(GROUPS["Flags and Signs"])
@@ -49,10 +49,10 @@ _GROWING = frozenset("tree palm bush mushroom boulder stump log".split()) | {
 _PERCHING = frozenset("bird owl parrot eagle squirrel toucan".split())
 _NESTING = frozenset("nest beehive birdhouse".split())
 _ELECTRONICS = frozenset(GROUPS["Electronics"])
-_LANDS = ("island", "cloud")  # what is on them is as large as it has to be
+_LANDS = ("island", "cloud")  # things on them have any size
 _NEAR_BY = frozenset("bucket lantern basket bicycle sack shovel axe".split())
 _PITCHED = frozenset("tent campfire well signpost mailbox tombstone anvil scarecrow".split())
-# What stands beside a house or a tree, besides vehicles, and who is alive.
+# Things next to a house or a tree, in addition to vehicles and living things.
 _OUTSIDE = (
     _GROWING
     | _FURNITURE
@@ -75,16 +75,16 @@ _LARGE = _VEHICLES | _BUILDINGS  # on an island
 _SERVED = frozenset("mug teacup goblet teapot bottle candle bowl can".split()) | {"wine glass"}
 STOVES = frozenset("stove grill campfire fireplace".split())
 _HEATED = frozenset("pan kettle teapot cauldron".split()) | {"cooking pot", "moka pot"}
-_SMALL = 0.35  # times as long as a table: of these there are several on it
+_SMALL = 0.35  # times as long as a table: several of these are on it
 _POURED = frozenset("coin gem bone bullet dice".split()) | {"poker chip"}
 _TOPPED = frozenset("cake pie cupcake pancakes sundae waffle".split()) | {"ice cream"}
 
 
 def place_of(first: str, phrase: str, is_one: bool) -> Place:
-    """Where what the phrase names is that the first thing is said to be with.
+    """The place of the phrase's thing relative to the first thing.
 
     Args:
-        is_one: whether it names one, or so many; else "apples", "bread".
+        is_one: whether it names one, or a number of them; else "apples", "bread".
     """
     noun = named_in(phrase)
     if not noun or noun == first or noun in known_as.HUNG:
@@ -113,7 +113,7 @@ def place_of(first: str, phrase: str, is_one: bool) -> Place:
 
 
 def _on_top(noun: str, long: float, many: bool) -> Place:
-    """Of several on a table, or of bread."""
+    """The place of several things on a table, or of bread."""
     if noun in SEVERAL:
         return "on"
     if noun in known_as.EDIBLE or (many and noun in _POURED):
@@ -134,7 +134,7 @@ def _in(first: str, noun: str, long: float, is_one: bool) -> Place:
 
 
 def _beside(first: str, noun: str) -> Place:
-    """Of one that may stand beside the first thing."""
+    """The place of one that may be next to the first thing."""
     if first in _GROWING and noun in _PERCHING | _NESTING:
         return "on"
     if known_as.is_dressed(first) and first not in _GROWING:

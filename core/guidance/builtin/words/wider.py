@@ -1,4 +1,4 @@
-"""Words for more than a thing, which may stand right behind its name: "a corgi dog", "a lion cub".
+"""Words for a class, possible right behind a thing's name: "a corgi dog", "a lion cub".
 
 Standard library only.
 """
@@ -115,5 +115,5 @@ WIDER = _wider()
 
 
 def is_wider(form: str, noun: str) -> bool:
-    """Whether a word right behind the noun only says what it is a sort of."""
+    """Whether a word right behind the noun only names its class."""
     return any(noun in WIDER.get(one, ()) for one in singulars(form))

@@ -3,9 +3,8 @@
 The order within a table is that of the networks' embeddings; new words go to the end.
 """
 
-# A row's text has two parts. Before the semicolon: other names of the same thing, of which nothing
-# is reported. After it: narrower or neighbouring things, which are made as the row's word; a note
-# states that.
+# A row's text has two parts. Before the semicolon: other names of the same thing, without a note.
+# After it: narrower or neighbouring things, which are made as the row's word, with a note.
 
 SHAPES = {
     "tall": "lofty",
@@ -16,7 +15,7 @@ SHAPES = {
     "round": "rounded, circular; chubby, plump",
 }
 PLUMP = ("chubby", "plump")  # round, whatever the thing
-# The rows of colours: ``colors.SHADES`` has the shades that have names of their own.
+# The rows of colours: ``colors.SHADES`` has the shades with names of their own.
 COLORS = {
     "red": "",
     "orange": "",
@@ -76,14 +75,14 @@ MATERIALS = {
     "burlap, jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, "
     "fleece, paper, cardboard, papier mache, paper mache, boucle, chenille, mohair",
 }
-# Names of things that say that they are of glass, where no material is stated.
+# Names of things that imply glass, unless a material is stated.
 GLASSWARE = frozenset(
     (
         "glass of water, glass of milk, drinking glass, pint of beer, glass of beer, fishbowl, "
         "fish bowl, goldfish bowl, decanter"
     ).split(", ")
 )
-# What time has done to it, which is seen at the bake.
+# Weathering, applied at the bake.
 WEATHERS = {
     "worn": "weathered, scratched, shabby, old, antique, ancient, rustic, worn out, well worn, "
     "distressed, aged, used, battered, scuffed, timeworn, time worn, weather beaten, beat up, "
@@ -96,7 +95,7 @@ WEATHERS = {
     "snowy": "snow covered, covered in snow, covered with snow, snow capped, frosty, with snow, "
     "snow on, snow dusted, dusted with snow, snow topped",
 }
-# How a surface shines, or that it is lit; also of a part alone.
+# Gloss of a surface, or its light; also for a part alone.
 SHEENS = {
     "matte": "matt, dull, unglazed, unpolished",
     "satin": "semi gloss, silky",
@@ -112,11 +111,11 @@ PATTERNS = {
     "checkered": "checked, chequered, checkerboard, check; plaid, tartan",
     "two-tone": "two tone, two toned, two coloured, two colored, bicolor, bicolour",
 }
-# What is striped with two colours before it, where the thing has no such part.
+# Striped with two colours before it, unless the thing has such a part.
 BANDS = ("bands", "rings", "lines")
-# Of them what lies on a thing: "a crate with orange stripes" is orange nowhere else.
+# Those on a thing's surface: "a crate with orange stripes" is orange nowhere else.
 FIGURES = ("stripe", "spot", "dot", "polka dot", "check")
-# A thing that says, before another, what that is made of: "a robot dog", "a crystal ball".
+# Things that state the material of another one behind them: "a robot dog", "a crystal ball".
 ROBOTS = ("robot", "cyborg", "android")
 AS_MATERIAL = dict.fromkeys(ROBOTS, "metal") | {
     "crystal": "crystal glass",
@@ -134,27 +133,27 @@ AS_MATERIAL = dict.fromkeys(ROBOTS, "metal") | {
     "snow": "plaster",
     "sand": "sandstone",
 }
-# Of these only buildings and likenesses are: an ice bucket is for ice, a snow leopard white.
+# Only for buildings and likenesses: an ice bucket is for ice, a snow leopard is white.
 OF_WHAT_LIES = ("ice", "frozen", "snow", "sand")
 FROZEN = ("throne", "crown", "sword", "shield", "staff")  # and an ice dragon
 OF_ANIMALS = ("stuffed", "cuddly", "balloon")  # a stuffed pepper is not of plush
-# Materials that say little.
+# Unspecific materials.
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
-# What the stripes lie on that a thing has by nature, where that is not most of it.
+# The part below a thing's natural stripes, where it is not most of the thing.
 STRIPED_PARTS = {"longship": "sail", "market stall": "awning", "shop": "awning"}
 STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
-# Stones, which are the gems of a thing that has some, by their colours.
+# Stones that are gems of a thing with gems, by their colours.
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
 GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black"}
-# Materials of which one is a thing: "a table with a white cloth".
+# Materials that are also things: "a table with a white cloth".
 COUNTED = ("cloth", "glass")
-# Where something else stands: "a cottage by a lake".
+# Words for the place of something else: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
     down into onto below among to as out off up while where whose beside atop who being
     like""".split()
 )
-# What people write around the subject and what describes nothing of it.
+# Words around the subject that do not describe it.
 FILLER = PLACES | frozenset(
     """a an the of in on with and is are been was were it its one single some made from out color
     colour colored coloured photo photograph picture image render rendering rendered dslr 3d 3 d cg
@@ -169,23 +168,23 @@ FILLER = PLACES | frozenset(
     only really number also thats all too so any yet other nothing else lowkey quite actually
     basically literally together kind sort type version""".split()
 )
-# What is short for a word where people type fast.
+# Abbreviations.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
 # Slips that are words of their own, or too short to tell.
 SHORT |= {"amor": "armor", "comin": "coming", "acustic": "acoustic"}
 SHORT |= dict.fromkeys(("isnt", "arent", "doesnt", "dont", "non"), "not")
 SHORT |= {"neither": "not", "withe": "white", "litle": "little", "smal": "small"}
 SHORT |= {"whit": "with", "wiht": "with", "wih": "with", "wth": "with", "witht": "with"}
-# What surrounds the picture: a colour before it is not the thing's.
+# Surroundings of the picture: a colour before them is not the thing's.
 SURROUNDINGS = frozenset("lighting backdrop background shadows".split())
-# Fillers that end a noun phrase: what is unknown before them describes no noun after them.
+# Fillers that end a noun phrase: unknown words before them describe no noun after them.
 PHRASE_ENDS = PLACES | frozenset(
     """a an the of in on with and or nor but is are it its made from out has have which that wearing
     holding""".split()
 )
 ARTICLES = ("a", "an", "the")
 OWN = (*ARTICLES, "my", "your", "our", "his", "her", "their", "its", "some")
-# Of them those after which something else may come that goes with the thing: "a vase of flowers".
+# Those that an accessory may follow: "a vase of flowers".
 GOES_WITH = PLACES | frozenset("of in on with has have wearing holding from".split())
 # After these all is about something else: a chest full of gold is not golden.
 OF_ANOTHER = (
@@ -205,13 +204,13 @@ OF_ANOTHER = (
     "dressed as",
     "disguised as",
 )
-# How many there are. One is made, and a note says so.
+# Numbers. One is made, with a note.
 COUNTS = frozenset(
     """two three four five six seven eight nine ten twelve dozen dozens several many few couple
     multiple various set pile heap stack group row collection pack bundle cluster clump
     assortment""".split()
 )
-# How the picture or the mesh is wanted, of which a shape and its materials know nothing.
+# Requests for the picture or the mesh, without effect on a shape and its materials.
 STYLES = frozenset(
     """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
     cinematic ultra zoomed vivid macro archviz""".split()
@@ -285,7 +284,7 @@ IGNORED_ADJECTIVES = frozenset(
     *("leopard print", "zebra print", "tiger print", "animal print"),
     *STYLES,
 }
-# How many of what is no part by itself: "a three-seater sofa", "a two story house".
+# Counts of parts that are not separate ones: "a three-seater sofa", "a two story house".
 IGNORED_ADJECTIVES |= {
     f"{count} {of}"
     for count in (
@@ -298,7 +297,7 @@ IGNORED_ADJECTIVES |= {
     ).split()
 }
 COLORED = ("colored", "coloured", "color", "colour")
-# How a thing came by its material or its looks, which are said by themselves.
+# How a material or a look was made; the look has its own word.
 HOW_MADE = frozenset(
     """carved cast hewn sculpted chiseled chiselled forged moulded molded welded wrapped covered
     bound bare plated coated clad hammered crafted painted handcrafted embroidered
@@ -307,11 +306,11 @@ HOW_MADE = frozenset(
     *("hand carved", "hand crafted", "hand painted", "hand forged", "hand blown"),
 }
 SHAPED_OF = ("carved", "carving", "cast", "hewn", "sculpted", "chiseled", "chiselled")
-# What makes a thing as small as a hand can hold.
+# Words for a thing as small as a hand can hold.
 TOYS = frozenset("toy figurine miniature ornament".split()) | {
     *("scale model", "scale replica", "ho scale", "n scale", "small scale"),
 }
-# How many times a thing's usual size.
+# Factors on a thing's usual size.
 SIZE_WORDS = {
     **dict.fromkeys(("tiny", "teeny"), 0.4),
     "mini": 0.5,
@@ -321,26 +320,26 @@ SIZE_WORDS = {
     **dict.fromkeys(("giant", "gigantic", "colossal"), 3.0),
 }
 FILLER |= SIZE_WORDS.keys()
-# What a thing is depicted as: "a bronze statue of a lion" is a lion of bronze, eyes and all.
+# Depictions: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
 SMALL_FIGURES = ("action figure", "toy figure", "vinyl figure")
 DEPICTIONS = (*STATUES, *PLUSHIES, *SMALL_FIGURES, "figure", "doll", "character")
-# An animal of these is a statue of one; of somebody, a gold wizard, that is so of fewer.
+# An animal of these materials is a statue; for a person, a gold wizard, fewer apply.
 CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass", "wooden", "ceramic")
 EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
 MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
-# What is alive and of these is a soft toy; what can be folded and is of the others is a toy too.
+# A living thing of these is a soft toy; a foldable thing of the others is a toy too.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
 FOLDED = ("origami", "papercraft", "lego", "paper", "papier mache", "paper mache")
-# Words for metals that on hair and skin are colours; of a whole animal fewer are: "a golden lion".
+# Words for metals that are colours on hair and skin; for a whole animal fewer are: "a golden lion".
 ALSO_COLORS = ("silver", "silvery", "gold", "golden", "copper", "bronze")
 ALSO_OF_FUR = ("silver", "silvery", "golden")
-# Of what is alive: it is not worn.
+# Words for living things that do not mean wear.
 AGES = frozenset("old ancient aged".split())
-# Forms of colours and materials that name a thing where they stand alone: "a grey rock".
+# Forms of colours and materials that name a thing by themselves: "a grey rock".
 ALONE = {"rock": "boulder", "stone": "boulder", "orange": "orange fruit"}
 ALONE |= {"brick": "brick block", "bricks": "brick block", "rainbow": "rainbow arch"}
 ALONE |= {"emerald": "gem", "tabby": "cat"}
