@@ -46,7 +46,7 @@ class GaussianGuidance(Guidance):
         """Make the exact guidance.
 
         Args:
-            reference: the mixture's means, in the latents' range, at the cameras it is asked for.
+            reference: the mixture's means, in the latents' range, at the requested cameras.
             latent_size: side of the reference latents.
             std: how far a picture may be from a reference, in the latents' units; also how
                 softly the nearest reference is chosen.

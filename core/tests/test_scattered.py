@@ -5,7 +5,7 @@ import torch
 
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.forms import Forms
-from core.guidance.builtin.markings.emblems.drawn_emblem import alike
+from core.guidance.builtin.markings.emblems.drawn_emblem import has_same_hue
 from core.guidance.builtin.markings.emblems.scattered import APART, FEWEST, HALF, scattered_on
 from core.guidance.builtin.markings.emblems.windows import surface_places
 from core.guidance.builtin.words.vocabulary import parse
@@ -124,7 +124,7 @@ def test_blue_flowers_on_what_is_blue_by_nature_are_seen():
         painted = shipped_prior().prompted(prompt, "").of_object(0).painted
         on = [painted.paints[part] for part in painted.emblems[0].over]
         assert on
-        assert any(alike(one.color, painted.emblems[0].paint.color) for one in on) is stays
+        assert any(has_same_hue(one.color, painted.emblems[0].paint.color) for one in on) is stays
 
 
 def test_hearts_on_a_mug_are_an_area_of_their_own():

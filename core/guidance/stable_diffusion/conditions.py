@@ -20,7 +20,7 @@ def conditions(config: Any, text: Float[Tensor, "b l d"], side: int) -> dict[str
     Args:
         config: the U-Net's.
         text: of ``Texts.encode``.
-        side: of the picture, pixels. SDXL is told that the picture was made at this size and not
+        side: of the picture, pixels. SDXL gets it as the size at which the picture was made, not
             cropped (Podell et al. 2023, §2.2).
     """
     if not takes_pooled(config):

@@ -51,7 +51,7 @@ _known: dict[tuple, int] = {}
 
 
 def _busy(unet: Any, vae: Any, chunk: int, texts: int) -> int:
-    """It takes up to a second, so each configuration is asked for once."""
+    """Cached for each configuration, as it takes up to a second."""
     key = str(unet.config), str(vae.config), unet.dtype, vae.dtype, chunk, texts
     if key not in _known:
         _known[key] = _measured(unet, vae, chunk, texts)

@@ -138,7 +138,7 @@ class StableDiffusion(Guidance):
         pictures go through at a time; without it, as many as fit.
 
         Raises:
-            UserError: no such checkpoint, or one that cannot be used; the text says why.
+            UserError: no such checkpoint, or one that cannot be used; the message gives the reason.
             MissingError: a hub id that is not on this machine.
             MemoryShortError: not even one picture at a time fits.
         """

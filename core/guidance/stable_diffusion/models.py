@@ -1,4 +1,4 @@
-"""What lies in folders of models: which can be used, and why the others cannot. Opens no weights.
+"""The models in folders: which can be used, and why the others cannot. Opens no weights.
 
 It reads headers and configurations alone, needs no torch, and looks two folders deep: that is where
 the hub's cache, ComfyUI and A1111 keep their files.

@@ -18,7 +18,7 @@ from core.errors import UserError
 from core.guidance.guidance import PromptWarning
 
 VIEWS: Final = ("front", "side", "back", "overhead", "bottom")
-AROUND: Final = 3  # the first of them, which lie around the vertical
+AROUND: Final = 3  # the first of them, around the vertical
 MAX_CHARACTERS: Final = 1000  # about three times what CLIP's 77 tokens hold
 # What SDS at a high guidance scale tends to; used where the user gives no negative prompt.
 DEFAULT_NEGATIVE_PROMPT: Final = "oversaturated, flat color, blurry, low quality, deformed"
@@ -28,7 +28,7 @@ _POLE_BLEND_DEG = 15.0  # half the width of the soft change to it
 
 
 class PromptCutWarning(PromptWarning):
-    """A text encoder could not hold the whole prompt; the message says what was cut."""
+    """A text encoder could not hold the whole prompt; the message names the part that was cut."""
 
 
 def clean_prompt(text: str, what: str = "prompt") -> str:

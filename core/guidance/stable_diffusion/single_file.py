@@ -32,7 +32,7 @@ def find_single_file(path: Path) -> Checkpoint:
     """The checkpoint in ``path``.
 
     Raises:
-        UserError: pickled, cut short, or of a kind that cannot be used; the text says which.
+        UserError: pickled, cut short, or of a kind that cannot be used; the message names it.
     """
     header = read_header(path)
     kind = kind_of(header)

@@ -155,7 +155,7 @@ def laid(
 ) -> Margin:
     """Outlines on a box's sides.
 
-    Each side is seen from outside; on the left and the right side alike the front is to the left.
+    Each side is seen from outside; on the left and the right side the front is to the left.
 
     Args:
         deep: how far from the middle all outlines begin, in halves.

@@ -24,7 +24,7 @@ from core.guidance.builtin.words.words import (
 
 HEAPS = COUNTS | {"slice", "piece", "bunch", "glass"}  # before "of" and the thing
 POT = "flower pot"
-# Things whose names also say what another is of: "a strawberry and chocolate cake".
+# Things whose names also describe another: "a strawberry and chocolate cake".
 SAYS_OF_WHAT = frozenset(
     "crystal bone feather shell strawberry lemon cherry banana pumpkin carrot apple coconut".split()
 )

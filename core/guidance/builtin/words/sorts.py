@@ -43,7 +43,7 @@ def _says(text: str, word: str) -> bool:
 
 
 # By thing: words that name a sort, and its kinds. The first sort that a word of the prompt names is
-# drawn, so that what says more stands first.
+# drawn, so that the more specific one comes first.
 SORTS: dict[str, dict[str, tuple[int, ...]]] = {
     "hat": {
         "top hat, stovepipe, magician": (0, 1),

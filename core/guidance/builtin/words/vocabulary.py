@@ -236,7 +236,7 @@ def _companions(
             return None
         got = _read(emblems_in(phrase)[1], known, True)
         entries = got.found["noun"]
-        return Read(entries[0], words, got.counted.given) if entries else None
+        return Read(entries[0], words, got.counted.stated) if entries else None
 
     @cache
     def first_of(text: str) -> str:
@@ -286,12 +286,12 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
             f"{known_things(known)} {ELSEWHERE}",
         )
     sort = sort_of(got.thing, prompt) or got.sort
-    got.take_as_sort(sort.given)
+    got.take_as_sort(sort.stated)
     # The part last: its possible words depend on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
-    # In the table's order: snow lies on dirt.
+    # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
     words |= {"is_statue": got.is_statue, "is_toy": got.is_toy, "kinds": sort.kinds}

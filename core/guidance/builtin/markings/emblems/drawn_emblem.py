@@ -125,7 +125,9 @@ class Drawn:
         """Change the paints below it that have their natural colour, so that it is visible."""
         for part in self.over:
             on = paints[part]
-            seen = differ(on.color, self.paint.color) and not alike(on.color, self.paint.color)
+            seen = differ(on.color, self.paint.color) and not has_same_hue(
+                on.color, self.paint.color
+            )
             if not (on.colored or on.material or seen):
                 other = companion(self.paint.color)
                 paints[part] = on._replace(color=other, second=other, pattern="", colored=True)
@@ -210,7 +212,7 @@ def differ(one: Color, other: Color) -> bool:
     return max(abs(a - b) for a, b in zip(one, other, strict=True)) > CLEAR
 
 
-def alike(one: Color, other: Color) -> bool:
+def has_same_hue(one: Color, other: Color) -> bool:
     """Whether both have one hue, such as light blue and navy."""
     (hue, full, _), (hue_2, full_2, _) = (colorsys.rgb_to_hsv(*color) for color in (one, other))
     away = abs(hue - hue_2)

@@ -1,4 +1,4 @@
-"""Markings of buildings, and of what stands at a street: windows, frames, doors, roofs, panels."""
+"""Markings of buildings and street furniture: windows, frames, doors, roofs, panels."""
 
 from functools import partial
 
@@ -41,7 +41,7 @@ def _openings(
     head: str = "",
     depth: float = 0.7,
 ) -> tuple[panes.Opening, ...]:
-    """Rows of windows that are alike."""
+    """Equal windows in rows."""
     return tuple(panes.Opening(face, (u, v), size, head, depth) for v in vs for u in us)
 
 
