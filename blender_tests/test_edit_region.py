@@ -93,9 +93,9 @@ def test_on_arrival_the_maps_alone_change_and_restore_brings_them_back(chair, wa
     chair.rotation_euler.z = 0.5
     bpy.context.view_layer.update()
     before, maps, old = state(chair), pixels(chair), chair.material_slots[0].material
-    twin = chair.copy()
-    twin.data = chair.data.copy()  # an object of its own, which shares the material
-    bpy.context.scene.collection.objects.link(twin)
+    copy = chair.copy()
+    copy.data = chair.data.copy()  # an object of its own, which shares the material
+    bpy.context.scene.collection.objects.link(copy)
     select(chair, range(10))
     edit_region.edit_region(bpy.context, "red velvet")
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -107,23 +107,23 @@ def test_on_arrival_the_maps_alone_change_and_restore_brings_them_back(chair, wa
     new = pixels(chair)
     assert (new["base_color"] != maps["base_color"]).any()
     assert all(image.packed_file for image in region.look_of(chair).images.values())
-    assert twin.material_slots[0].material == old
-    assert np.array_equal(pixels(twin)["base_color"], maps["base_color"])
+    assert copy.material_slots[0].material == old
+    assert np.array_equal(pixels(copy)["base_color"], maps["base_color"])
     assert bpy.ops.fantasia3d.restore_material() == {"FINISHED"}
     assert chair.material_slots[0].material == old
 
 
 def test_an_object_that_shares_the_mesh_keeps_its_maps(chair, wait):
-    twin, old = chair.copy(), chair.active_material
-    bpy.context.scene.collection.objects.link(twin)
+    copy, old = chair.copy(), chair.active_material
+    bpy.context.scene.collection.objects.link(copy)
     select(chair, range(10))
     edit_region.edit_region(bpy.context, "red velvet")
     bpy.ops.object.mode_set(mode="OBJECT")
     wait()
-    assert chair.active_material != old == twin.active_material
-    assert chair.data == twin.data  # whose shape can still be edited once for both
+    assert chair.active_material != old == copy.active_material
+    assert chair.data == copy.data  # whose shape can still be edited once for both
     assert bpy.ops.fantasia3d.restore_material() == {"FINISHED"}
-    assert chair.active_material == twin.active_material == old
+    assert chair.active_material == copy.active_material == old
     assert chair.material_slots[0].link == "DATA"
 
 
@@ -159,8 +159,8 @@ def edit_shape(obj: bpy.types.Object, wait, change: str = SHAPE) -> None:
 
 
 def test_on_arrival_the_vertices_alone_move_and_restore_brings_them_back(dented, wait):
-    twin = dented.copy()  # which shares the mesh
-    bpy.context.scene.collection.objects.link(twin)
+    copy = dented.copy()  # which shares the mesh
+    bpy.context.scene.collection.objects.link(copy)
     dented.modifiers.new("Bevel", "BEVEL")
     before, maps, old = positions(dented), pixels(dented), dented.active_material
     uv = state(dented)[3]
@@ -170,7 +170,7 @@ def test_on_arrival_the_vertices_alone_move_and_restore_brings_them_back(dented,
     assert (job["reshape"], job["retexture"]) == (True, False)
     moved = (positions(dented) != before).any(1)
     assert moved.sum() == 1
-    assert np.array_equal(positions(twin), before)
+    assert np.array_equal(positions(copy), before)
     assert (state(dented)[3], dented.active_material, len(dented.modifiers)) == (uv, old, 1)
     assert all(np.array_equal(new, maps[role]) for role, new in pixels(dented).items())
     edit_shape(dented, wait)  # a second edit must not overwrite the original

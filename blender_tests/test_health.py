@@ -140,7 +140,7 @@ def test_the_scale_of_a_shared_mesh_is_left_and_that_is_said(addon, tmp_path, ca
     obj = made(tmp_path, holed())
     obj.scale = (2, 2, 2)
     obj.data.use_fake_user = True  # which is no other object
-    twin = bpy.data.objects.new("twin", obj.data)
+    copy = bpy.data.objects.new("twin", obj.data)
     with pytest.raises(AddonError, match=r"share the mesh.*Make Single User"):
         health.repair(obj, "SCALE")
     assert health.repair(obj) == ("HOLES",)
@@ -148,7 +148,7 @@ def test_the_scale_of_a_shared_mesh_is_left_and_that_is_said(addon, tmp_path, ca
     bpy.context.view_layer.objects.active = obj
     assert bpy.ops.fantasia3d.repair_mesh() == {"FINISHED"}
     assert "The scale is not applied" in capfd.readouterr().out
-    bpy.data.objects.remove(twin)
+    bpy.data.objects.remove(copy)
     assert bpy.ops.fantasia3d.repair_mesh() == {"FINISHED"}
     assert "not applied" not in capfd.readouterr().out
     assert tuple(obj.scale) == (1, 1, 1)

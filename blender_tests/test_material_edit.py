@@ -99,13 +99,13 @@ def test_an_object_of_many_slots_gets_each_back(asset):
 
 def test_an_object_that_shares_the_mesh_keeps_its_material(asset):
     obj = import_asset(bpy.context, asset)
-    twin, old = obj.copy(), obj.active_material
-    bpy.context.scene.collection.objects.link(twin)
+    copy, old = obj.copy(), obj.active_material
+    bpy.context.scene.collection.objects.link(copy)
     gold = material_edit.replace_material(obj, "gold")
-    assert (obj.active_material, twin.active_material) == (gold, old)
-    wood = material_edit.replace_material(twin, "wood")
-    assert (obj.active_material, twin.active_material) == (gold, wood)
-    for each in (obj, twin):
+    assert (obj.active_material, copy.active_material) == (gold, old)
+    wood = material_edit.replace_material(copy, "wood")
+    assert (obj.active_material, copy.active_material) == (gold, wood)
+    for each in (obj, copy):
         material_edit.restore_material(each)
         assert each.active_material == old
         assert each.material_slots[0].link == "DATA"

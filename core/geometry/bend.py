@@ -21,11 +21,11 @@ from core.adam import Adam
 from core.geometry.residual import lattice_nodes, read_lattice
 from core.geometry.tet_grid import EXTENT
 
-CONTROLS = 8  # control points along an axis, of which one lies beyond each end
+CONTROLS = 8  # control points along an axis; one is beyond each end
 # Cubes of the lattices on which the solids are compared, and d is read. No node of the one is the
 # other's, where the slope to one side would be taken for both.
 NODES, READ = 24, 49
-NEAR = 0.25  # training units: what is farther from both surfaces tells nothing
+NEAR = 0.25  # training units: farther from both surfaces, distances show nothing
 BLUR = (0.12, 0.04)  # τ, training units, at the first and at the last step
 STEPS, RATE = 80, 0.012
 CHUNK = 1 << 14  # points at a time
@@ -37,7 +37,7 @@ Distance = Callable[[Float[Tensor, "n 3"]], Float[Tensor, " n"]]
 
 @dataclass(frozen=True)
 class Bend:
-    """Where the points of the bent solid lie in the straight one."""
+    """The places of the bent solid's points in the straight one."""
 
     controls: Float[Tensor, "k k k 3"]  # displacements, training units
 
@@ -103,7 +103,7 @@ def basis(points: Float[Tensor, "n 3"], count: int) -> Float[Tensor, "n _"]:
 def splines(places: Float[Tensor, "*n"], count: int) -> Float[Tensor, "*n _"]:
     """The weight of each of ``count`` control points along an axis, by cubic B-splines.
 
-    The second and the last but one lie at the ends of the lattice's cube; beyond it, all fade out.
+    The second and the last but one are at the ends of the lattice's cube; beyond it, all fade out.
     """
     at = (places / EXTENT + 1) * ((count - 3) / 2) + 1
     away = (at[..., None] - torch.arange(count)).abs()

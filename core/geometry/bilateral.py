@@ -1,7 +1,7 @@
 """Bilateral filtering of a mesh's normals: planes get flat, and the edges between them stay.
 
-Faces take the mean normal of the faces around them, near and alike ones most (Zheng, Fu, Au and Tai
-2011, "Bilateral Normal Filtering for Mesh Denoising", Eq. 4, the local scheme):
+Faces take the mean normal of the faces around them, near and similar ones most (Zheng, Fu, Au and
+Tai 2011, "Bilateral Normal Filtering for Mesh Denoising", Eq. 4, the local scheme):
 
     n_i <- K_i Σ_j a_j W_c(|c_i - c_j|) W_s(|n_i - n_j|) n_j,   W(x) = exp(-x² / 2σ²)
 
@@ -27,7 +27,7 @@ VERTEX_ROUNDS = 15  # of the vertices after them
 FOLLOWING_NORMAL_ROUNDS = 3  # of normals that come from elsewhere: less noisy than a mesh's own
 FOLLOWING_VERTEX_ROUNDS = 20
 REACH = 2.0  # σ_c, of the mean distance between the centres of faces that touch
-UNDO_ROUNDS = 4  # enough: what is put back lies in small groups of vertices
+UNDO_ROUNDS = 4  # enough: the vertices put back are in small groups
 LEAST_AREA = 1e-3  # of the mean face's; a smaller one that was larger before is put back
 
 Verts = Float[np.ndarray, "v 3"]
@@ -40,8 +40,8 @@ def flattened(
 ) -> Float[Tensor, "v 3"]:
     """Vertices after ``rounds`` of the filter; faces that it would turn over stay as they were.
 
-    ``sigma``: σ_s, the difference of unit normals that is still alike; larger ones melt edges and
-    make round legs square.
+    ``sigma``: σ_s, the difference at which unit normals count as similar; larger ones melt edges
+    and make round legs square.
     """
     if rounds == 0:
         return verts
@@ -68,8 +68,8 @@ def following(
     """
     v, f = verts.detach().cpu().double().numpy(), faces.cpu().numpy()
     around = Around.of(f, len(v))
-    share, wanted = trust.cpu().double().numpy()[:, None], normals.cpu().double().numpy()
-    mixed = share * wanted + (1 - share) * areas_and_normals(v, f)[1]
+    fraction, wanted = trust.cpu().double().numpy()[:, None], normals.cpu().double().numpy()
+    mixed = fraction * wanted + (1 - fraction) * areas_and_normals(v, f)[1]
     mixed /= np.maximum(np.linalg.norm(mixed, axis=1, keepdims=True), 1e-20)
     target = filtered(v, around, sigma, mixed, FOLLOWING_NORMAL_ROUNDS)
     moved = v

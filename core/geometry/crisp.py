@@ -21,11 +21,11 @@ from core.geometry.faces import areas_and_normals, neighbours
 from core.geometry.planar import Patch, Planes, planes_of
 
 VOTES, REACH = 3, 3  # rounds, and faces that each asks
-SIGMA, ROUNDS = 0.5, 4  # of the normals that tell a plane: ripples out, edges kept
+SIGMA, ROUNDS = 0.5, 4  # of the normals that planes are found from: ripples out, edges kept
 RIPPLES = 2, 0.35  # rounds, and the difference of normals that is one
 FARTHEST, FARTHEST_AT_FREE = 1.6, 0.8  # cells that a vertex moves; at a face without a plane
 MISSED = 0.25  # cells off one of its planes: they do not meet there
-ALIKE = 0.25  # singular value below which planes are too alike to tell where they meet
+PARALLEL = 0.25  # singular value below which planes are too parallel to find where they meet
 STEP = 0.9  # cosine between planes that do not meet: from the one to the other is a step
 # Cosine to a face without a plane that goes on smoothly; rings of faces until all is in the plane.
 SMOOTH, FADE = np.cos(np.radians(35.0)), 4
@@ -45,14 +45,14 @@ def crisp(
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """The mesh with its vertices on the planes that their faces were meant to lie in.
 
-    What lies in none stays as it is; or, beside planes, loses its ripples.
+    Other vertices stay as they are; or, next to planes, lose their ripples.
 
     Args:
-        unbent: the same mesh before its faces were flattened: it tells what bends.
+        unbent: the same mesh before its faces were flattened: it shows what bends.
         part: of each vertex; no plane goes on into another part.
         flatness: of each part, the flat fraction of its surface.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
-        smooth: whether it loses them.
+        smooth: whether they lose them.
     """
     v, f = (x.detach().cpu().double().numpy() / cell for x in (verts, unbent)), faces.cpu().numpy()
     here, before = v
@@ -61,8 +61,8 @@ def crisp(
     places, held = here, csr_array((len(here), 1))
     if planes.normal:
         at = Meeting.of(here, patch, planes)
-        share = blend(patch, planes, len(here))
-        places, held = here + share[:, None] * (at.spread(here, f) - here), at.member
+        fraction = blend(patch, planes, len(here))
+        places, held = here + fraction[:, None] * (at.spread(here, f) - here), at.member
         if smooth:
             even = flattened(torch.from_numpy(places), faces, *RIPPLES).numpy()
             places = places + at.along(even - places)
@@ -141,14 +141,14 @@ class Meeting:
             np.repeat(patch.area, 3),
             (patch.faces.reshape(-1), np.repeat(planes.label + 1, 3)),
         )
-        share = csr_array(entries, size)
-        share.sum_duplicates()
+        fraction = csr_array(entries, size)
+        fraction.sum_duplicates()
         total = np.bincount(planes.label + 1, patch.area, size[1])[1:]
         table, across, to = planes.table, np.zeros((len(verts), 3, 3)), np.zeros((len(verts), 3))
         solved: dict[tuple[int, ...], tuple[np.ndarray, ...]] = {}
         for vert in range(len(verts)):
-            row = slice(share.indptr[vert], share.indptr[vert + 1])
-            columns = share.indices[row][np.argsort(-share.data[row], kind="stable")]
+            row = slice(fraction.indptr[vert], fraction.indptr[vert + 1])
+            columns = fraction.indices[row][np.argsort(-fraction.data[row], kind="stable")]
             far = FARTHEST_AT_FREE if (columns == 0).any() else FARTHEST
             kept = tuple(int(c) - 1 for c in columns if c > 0)
             while kept:
@@ -161,7 +161,7 @@ class Meeting:
                     across[vert], to[vert] = inverse @ normals, inverse @ offsets
                     break
                 kept = without_one(kept, table, total)
-        return cls(across, to, share)
+        return cls(across, to, fraction)
 
     def spread(
         self, verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
@@ -198,9 +198,9 @@ class Meeting:
         entries = (1 / degree[ends[:, 0]], (ends[:, 0], ends[:, 1]))
         line, free = count > 1, ~self.across.any((1, 2))
         # What is free stays, but for a border around the planes, which would fray.
-        beside = np.zeros(len(count), bool)
-        beside[faces[(~free[faces]).any(1)]] = True
-        still = (degree == 0) | (line & (degree < 2)) | (free & ~line & ~beside)
+        adjacent = np.zeros(len(count), bool)
+        adjacent[faces[(~free[faces]).any(1)]] = True
+        still = (degree == 0) | (line & (degree < 2)) | (free & ~line & ~adjacent)
         line |= free
         return csr_array(entries, (len(count), len(count))), line, still
 
@@ -210,10 +210,10 @@ def without_one(
 ) -> tuple[int, ...]:
     """The planes but for the one to give up: the larger of two at a step, else the last."""
     normals = table[list(kept), :3]
-    alike = np.triu(np.abs(normals @ normals.T) > STEP, 1)
-    if not alike.any():
+    parallel = np.triu(np.abs(normals @ normals.T) > STEP, 1)
+    if not parallel.any():
         return kept[:-1]
-    pair = [kept[i] for i in np.argwhere(alike)[0]]
+    pair = [kept[i] for i in np.argwhere(parallel)[0]]
     return tuple(k for k in kept if k != max(pair, key=lambda k: total[k]))
 
 
@@ -222,5 +222,5 @@ def meeting_of(planes: Float[np.ndarray, "p 4"]) -> tuple[np.ndarray, np.ndarray
     normals; the offsets."""
     normals, offsets = planes[:, :3], planes[:, 3]
     u, s, vt = np.linalg.svd(normals, full_matrices=False)
-    kept = s > ALIKE
+    kept = s > PARALLEL
     return (vt[kept].T / s[kept]) @ u[:, kept].T, normals, offsets

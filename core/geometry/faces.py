@@ -1,4 +1,4 @@
-"""What a mesh's faces are, and which lie side by side; in numpy, double precision."""
+"""Properties of a mesh's faces and which are adjacent; in numpy, double precision."""
 
 import igl
 import numpy as np
@@ -6,7 +6,8 @@ from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-SHEET = 1e-6  # volume by area to the power of 1.5, below which a piece has no inside: its own back
+# Volume by area to the power of 1.5, below which a component has no inside: it is its own back.
+SHEET = 1e-6
 
 
 def areas_and_normals(
@@ -24,8 +25,8 @@ def neighbours(faces: Int[np.ndarray, "f 3"]) -> Int[np.ndarray, "f 3"]:
     -1 unless exactly two faces share it, and both look to the same side of the surface: libigl's
     triangle_triangle_adjacency joins faces of opposite winding, and two of three at one edge.
     """
-    a, b, alike = _pairs(faces)
-    a, b = a[alike], b[alike]
+    a, b, same = _pairs(faces)
+    a, b = a[same], b[same]
     adjacent = np.full(faces.size, -1, np.int64)
     adjacent[a], adjacent[b] = b // 3, a // 3
     return adjacent.reshape(-1, 3)
@@ -54,8 +55,8 @@ def agreeing(
 def outward(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> bool:
     """Whether no face of an opaque mesh can be seen from behind, whatever it looks like.
 
-    Each edge has two faces, they look to the same side, and no piece (faces joined by edges) is
-    inside out. The wall of a void is, though no one sees it. A piece as flat as a sheet is not.
+    Each edge has two faces, they look to the same side, and no component (faces joined by edges) is
+    inside out. The wall of a void is, though no one sees it. A component as flat as a sheet is not.
     """
     if not len(faces):
         return True
@@ -64,10 +65,10 @@ def outward(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> b
         return False
     links = np.repeat(np.arange(len(faces)), 3), adjacent.reshape(-1)
     graph = coo_array((np.ones(faces.size, np.int8), links), shape=(len(faces),) * 2)
-    _, piece = connected_components(graph, directed=False)
+    _, component = connected_components(graph, directed=False)
     a, b, c = (verts[faces[:, i]] - verts.mean(0) for i in range(3))
-    volume = np.bincount(piece, (a * np.cross(b, c)).sum(1) / 6)
-    area = np.bincount(piece, areas_and_normals(verts, faces)[0])
+    volume = np.bincount(component, (a * np.cross(b, c)).sum(1) / 6)
+    area = np.bincount(component, areas_and_normals(verts, faces)[0])
     return bool((volume >= -SHEET * area**1.5).all())
 
 

@@ -20,7 +20,7 @@ def kept(mesh: Mesh) -> Mesh:
     """The guide's own surface, without uv: welded, facing outward, without empty faces.
 
     No lattice holds what is thinner than its cells, or a sheet without an inside; the triangles
-    do. Faces are cut apart where three share an edge, since the simplification needs a manifold.
+    do. Faces are cut apart where three fraction an edge, since the simplification needs a manifold.
     """
     solid = SolidMesh(mesh.verts, mesh.faces)
     verts, faces, _ = igl.split_nonmanifold(*solid.arrays)
@@ -53,7 +53,7 @@ def guide_leash(mesh: Mesh, shape: Shape, strength: float, resolution: int, exte
 
 
 @torch.no_grad()
-def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
+def fill(residual: Residual, net: SdfNet, shape: Shape, fraction: float) -> None:
     """Give ``residual`` that much of what Ψ lacks of ``shape`` at the nodes; 1 is all of it."""
     # Zero first: the network adds the residual on its own lattice, and here Ψ alone is wanted.
     residual.values.zero_()
@@ -66,7 +66,7 @@ def fill(residual: Residual, net: SdfNet, shape: Shape, share: float) -> None:
         # The shape's distances hold at nodes that have not moved, so Ψ's offsets are taken back.
         missing.append(torch.cat([(shape.sdf(points).to(sdf) - sdf)[:, None], -offset], 1))
     # Channels first, as in ``values``; the nodes run along z fastest, as its last axis.
-    lacks = torch.cat(missing).T.reshape(1, 4, n, n, n) * (share / residual.scale)
+    lacks = torch.cat(missing).T.reshape(1, 4, n, n, n) * (fraction / residual.scale)
     # The residual is read blurred; what the blur takes is put on top, again and again (Van Cittert
     # 1931), or all that is smaller than three cells would be lost.
     for _ in range(DEBLUR_ROUNDS):

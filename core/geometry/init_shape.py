@@ -45,7 +45,7 @@ def ellipsoid(radii: tuple[float, float, float]) -> Shape:
     r = torch.tensor(radii, dtype=torch.float32)
 
     def surface(count: int, generator: torch.Generator) -> Tensor:
-        # The sphere's points, stretched; the area that each stands for grows with |n / r|.
+        # The sphere's points, stretched; the area that each represents grows with |n / r|.
         # 8 candidates for each point: they are picked with replacement, and few come twice.
         n = torch.randn(8 * count, 3, generator=generator)
         n = n / n.norm(dim=1, keepdim=True)
@@ -60,13 +60,13 @@ def cylinder(radius: float, half_height: float) -> Shape:
 
     def surface(count: int, generator: torch.Generator) -> Tensor:
         turn, place, kind = torch.rand(3, count, generator=generator)
-        # The wall's area is 4π r h, that of both caps 2π r²: its share is 2h / (2h + r).
+        # The wall's area is 4π r h, that of both caps 2π r²: its fraction is 2h / (2h + r).
         round_part = kind < 2 * half_height / (2 * half_height + radius)
         # ``place`` picks the cap by its half; within the half it is uniform, and used again below.
         top = torch.where(place < 0.5, -half_height, half_height)
         z = torch.where(round_part, (2 * place - 1) * half_height, top)
-        share = (2 * place % 1).sqrt()  # by the disc's area
-        r = torch.where(round_part, radius, radius * share)
+        fraction = (2 * place % 1).sqrt()  # by the disc's area
+        r = torch.where(round_part, radius, radius * fraction)
         angle = 2 * torch.pi * turn
         return torch.stack([r * angle.cos(), r * angle.sin(), z], 1)
 

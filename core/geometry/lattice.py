@@ -1,4 +1,4 @@
-"""Signed distances of one piece on a lattice, along any axes."""
+"""Signed distances of one component on a lattice, along any axes."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ TURN = 1.25  # times around
 
 
 class Lattice(NamedTuple):
-    """A piece's signed distances."""
+    """A component's signed distances."""
 
     values: Float[np.ndarray, "a b c"]  # training units
     low: Float[np.ndarray, " 3"]  # the first node

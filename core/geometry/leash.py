@@ -22,7 +22,7 @@ from core.geometry.signed_distance import SolidMesh
 # Length at strength 1/2, training units: a ninth of the radius of the guide's sphere.
 HALF_REACH = 0.1
 INWARD = 1 / 3  # fraction of the leash that reaches into the guide
-# Two sides of a sheet stay this far from it: in one place, no renderer could tell them apart.
+# Two sides of a sheet stay this far from it: in one place, no renderer could separate them.
 LEAST_REACH = 0.001
 
 

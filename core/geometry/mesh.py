@@ -70,8 +70,8 @@ def component_labels(faces: Int[Tensor, "f 3"], vert_count: int) -> tuple[int, n
     # Two of its edges hold a face's three corners together.
     links = (np.concatenate([f[:, 0], f[:, 1]]), np.concatenate([f[:, 1], f[:, 2]]))
     _, of_vert = _connected(*links, vert_count)
-    pieces, of_face = np.unique(of_vert[f[:, 0]], return_inverse=True)
-    return len(pieces), of_face
+    components, of_face = np.unique(of_vert[f[:, 0]], return_inverse=True)
+    return len(components), of_face
 
 
 def health(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> dict[str, object]:
@@ -167,8 +167,8 @@ def taubin(
     G. Taubin, "A Signal Processing Approach to Fair Surface Design", 1995; λ = 0.5, μ = -0.53.
     """
     around, smooth = mean_around(faces, len(verts)), verts.astype(float)
-    for share in (0.5, -0.53) * rounds:
-        smooth += share * (around @ smooth - smooth)
+    for step in (0.5, -0.53) * rounds:
+        smooth += step * (around @ smooth - smooth)
     return smooth
 
 
@@ -232,11 +232,11 @@ def _fan_count(faces: np.ndarray) -> int:
     corner = np.arange(len(start))
     following = corner.reshape(-1, 3)[:, [1, 2, 0]].reshape(-1)
     key = np.minimum(start, end) * (faces.max() + 1) + np.maximum(start, end)
-    # Half-edges of one edge stand next to each other: each is linked to the one before it.
+    # Half-edges of one edge are next to each other: each is linked to the one before it.
     order = np.argsort(key, kind="stable")
     same = key[order[1:]] == key[order[:-1]]
     one, other = order[1:][same], order[:-1][same]
-    # A half-edge's first corner stands at its start; the neighbour's at either end.
+    # A half-edge's first corner is at its start; the neighbour's at either end.
     forth = start[one] == start[other]
     first = np.where(forth, corner[other], following[other])
     second = np.where(forth, following[other], corner[other])

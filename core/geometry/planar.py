@@ -1,10 +1,10 @@
 """The planes of a mesh: which faces were meant to lie in one, and where it is.
 
 Regions grow from the flattest faces over neighbours that lie near the region's plane, which is
-fitted anew as it grows (Rabbani, van den Heuvel and Vosselman, "Segmentation of Point Clouds using
-Smoothness Constraint", 2006); what bends all over is no plane, however shallow. Planes that nearly
-are along an axis are, and nearly equal ones are one (Li et al., "GlobFit", 2011). All lengths here
-are in cells of the lattice that the mesh comes from: its errors are of that size.
+fitted again as it grows (Rabbani, van den Heuvel and Vosselman, "Segmentation of Point Clouds using
+Smoothness Constraint", 2006); a surface that bends all over is no plane, however shallow. Planes
+nearly along an axis are aligned with it, nearly equal ones merged (Li et al., "GlobFit", 2011). All
+lengths here are in cells of the lattice that the mesh comes from: its errors are of that size.
 """
 
 from dataclasses import dataclass, field
@@ -192,7 +192,7 @@ def paraboloid(
     terms = np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], 1) * weight[:, None]
     height = (middle[region] @ plane[:3] - plane[3]) * weight
     *_, uu, uv, vv = np.linalg.lstsq(terms, height, rcond=None)[0]
-    # Along its own axes: a cone's lie askew in the region.
+    # Along its own axes: a cone's are askew in the region.
     curvature, way = np.linalg.eigh(np.array([[2 * uu, uv], [uv, 2 * vv]]) / np.outer(half, half))
     reach = np.linalg.norm(half[:, None] * way, axis=0)
     turn = np.abs(curvature) * reach
@@ -215,8 +215,8 @@ def join(patch: Patch, planes: Planes) -> None:
         other = np.where(patch.adjacent >= 0, planes.label[patch.adjacent], -1).reshape(-1)
         touch = (one >= 0) & (one < other)
         for a, b in np.unique(np.stack([one[touch], other[touch]], 1), axis=0):
-            alike = planes.normal[a] @ planes.normal[b] > JOINED
-            if planes.part[a] != planes.part[b] or not alike:
+            parallel = planes.normal[a] @ planes.normal[b] > JOINED
+            if planes.part[a] != planes.part[b] or not parallel:
                 continue
             region = np.flatnonzero((planes.label == a) | (planes.label == b))
             plane, _ = fitted(patch, patch.middle, region)
@@ -230,8 +230,8 @@ def join(patch: Patch, planes: Planes) -> None:
 
 
 def mirror(patch: Patch, planes: Planes) -> None:
-    """Where a plane's mirror image has faces without a plane, these get it: things are alike left
-    and right, and a half may have come out too wavy to tell."""
+    """Where a plane's mirror image has faces without a plane, these get it: things are the same on
+    the left and the right, and one half may be too wavy to find its planes."""
     for k in range(len(planes.normal)):
         area = patch.area[planes.label == k].sum()
         normal = planes.normal[k] * np.array([-1.0, 1.0, 1.0])
@@ -252,9 +252,9 @@ def largest(there: Bool[np.ndarray, " f"], patch: Patch) -> Int[np.ndarray, " n"
     other = patch.adjacent[face, side]
     face, other = face[there[other]], other[there[other]]
     graph = coo_array((np.ones(len(face), np.int8), (face, other)), shape=(len(there),) * 2)
-    piece = connected_components(graph, directed=False)[1]
-    area = np.bincount(piece, patch.area * there)
-    return np.flatnonzero(there & (piece == area.argmax()))
+    component = connected_components(graph, directed=False)[1]
+    area = np.bincount(component, patch.area * there)
+    return np.flatnonzero(there & (component == area.argmax()))
 
 
 def spread(patch: Patch, planes: Planes) -> None:

@@ -21,7 +21,7 @@ class Residual(nn.Module):
 
     def __init__(self, resolution: int, extent: float, scale: float) -> None:
         """``resolution``: cubes along an axis. ``scale``: of the values; Adam moves each of them by
-        about its rate a step, so that this says how fast the residual is next to Ψ."""
+        about its rate a step, so this sets how fast the residual is compared with Ψ."""
         super().__init__()
         self.resolution, self.extent, self.scale = resolution, extent, scale
         self.values = nn.Parameter(torch.zeros(1, 4, *(resolution + 1,) * 3))

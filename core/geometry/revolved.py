@@ -19,26 +19,26 @@ from core.geometry.faces import normals_of, unit
 from core.geometry.mesh import mean_around
 
 # Of a part's surface that the families have the same all around: a square seat has 0.76.
-SHARE = 0.92
-UPRIGHT = 0.5  # of a normal, above which it says nothing of where the axis is
-ASKED = 6000  # vertices of a part, evenly taken: these tell the profile
+ROUND = 0.92
+UPRIGHT = 0.5  # a normal's upright part, above which it does not show where the axis is
+ASKED = 6000  # vertices of a part, evenly taken: the profile is found from these
 NEAREST, FEWEST = 160, 20  # of them, in the half plane
 REACH = 2.5  # cells
 NORMAL_REACH = 3.5  # cells that normals at a right angle are apart: edges of the profile stay
 TANGENTS = 1.3  # cells: the deviation of the weights of tangents, for where they cross
-TURNS = 0.1  # the least share of the tangents that go another way: the profile turns there
-# Cosines to a normal, below which others go another way and the opposite way, and the share of
+TURNS = 0.1  # the least fraction of the tangents that go another way: the profile turns there
+# Cosines to a normal, below which others go another way and the opposite way, and the fraction of
 # such, to either side of a place, or opposite to it, that is no corner: a rim's wall is thin there.
 OTHER_WAY, OPPOSITE, ON_RIM = 0.5, -0.6, 0.03
-RIM_ASKED = 800  # vertices that tell it
+RIM_ASKED = 800  # vertices that it is found from
 SNAP = 0.9  # cells to a corner, of what goes there
 CORNER_ROUNDS = 3  # of mean shift
 SMOOTHING = (4, 0, 0)  # rounds, of how far neighbours go, in each round of the vertices
 FADE = 4  # the same, of where the part is: its border goes as its neighbours do
 FARTHEST = 1.5  # cells that a vertex moves
 OUTSIDE = 1.0  # cells off the profile, of a vertex that is not part of it
-LEAST = 80  # vertices of a piece
-SAME = 2.0  # cells between the axes of pieces that are on one
+LEAST = 80  # vertices of a component
+SAME = 2.0  # cells between the axes of components that are on one
 AXIS_ROUNDS = 10
 
 
@@ -46,21 +46,21 @@ def revolved(
     verts: Float[Tensor, "v 3"],
     faces: Int[Tensor, "f 3"],
     part: Int[Tensor, " v"],
-    share: tuple[tuple[float, ...], ...],
+    fractions: tuple[tuple[float, ...], ...],
     cell: float,
 ) -> Float[Tensor, "v 3"]:
     """The vertices of round parts on their profile; all others stay.
 
     Args:
         part: of each vertex.
-        share: of each part, the fraction of its surface that is the same all around an axis of
-            each of its pieces: along x, along y, along z.
+        fractions: of each part, the fraction of its surface that is the same all around an axis of
+            each of its components: along x, along y, along z.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
     """
     places, of = verts.detach().cpu().double().numpy() / cell, part.cpu().numpy()
     faces_np = faces.cpu().numpy()
-    for k, around in enumerate(np.array(share).T):
-        if around.max() < SHARE:
+    for k, around in enumerate(np.array(fractions).T):
+        if around.max() < ROUND:
             continue
         along = int(around.argmax())
         upright = np.roll(np.arange(3), 2 - along)  # the axes, turned so that this one is the third
@@ -73,30 +73,30 @@ def on_one_axis(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
 ) -> list[Bool[np.ndarray, " v"]]:
     """The vertices of ``mine`` that are round about each upright axis: of a barrel between its
-    hoops all, of wheels those of one axle. Where there is one axis, small pieces are about it."""
+    hoops all, of wheels those of one axle. With one axis, small components are about it too."""
     normal = unit(normals_of(verts, faces))
-    large = [piece for piece in connected(faces, mine) if piece.sum() >= LEAST]
+    large = [component for component in connected(faces, mine) if component.sum() >= LEAST]
     found: list[tuple[np.ndarray, np.ndarray]] = []
-    for piece in sorted(large, key=np.sum, reverse=True):
-        at = axis(verts[piece], normal[piece])
+    for component in sorted(large, key=np.sum, reverse=True):
+        at = axis(verts[component], normal[component])
         for k, (other, already) in enumerate(found):
             if np.linalg.norm(at - other) < SAME:
-                found[k] = other, already | piece
+                found[k] = other, already | component
                 break
         else:
-            found.append((at, piece))
-    return [mine] if len(found) == 1 else [pieces for _, pieces in found]
+            found.append((at, component))
+    return [mine] if len(found) == 1 else [components for _, components in found]
 
 
 def connected(
     faces: Int[np.ndarray, "f 3"], mine: Bool[np.ndarray, " v"]
 ) -> list[Bool[np.ndarray, " v"]]:
-    """The connected pieces of the vertices of ``mine``."""
+    """The connected components of the vertices of ``mine``."""
     edges = faces[:, [0, 1, 1, 2]].reshape(-1, 2)
     edges = edges[mine[edges].all(1)]
     graph = coo_array((np.ones(len(edges)), edges.T), shape=(len(mine), len(mine)))
-    piece = np.where(mine, connected_components(graph, directed=False)[1], -1)
-    return [piece == each for each in np.unique(piece[mine])]
+    component = np.where(mine, connected_components(graph, directed=False)[1], -1)
+    return [component == each for each in np.unique(component[mine])]
 
 
 def on_profile(
@@ -104,9 +104,9 @@ def on_profile(
 ) -> Float[np.ndarray, "v 3"]:
     """The vertices with those of ``mine`` on the profile about their axis."""
     start, normal, around = verts, unit(normals_of(verts, faces)), mean_around(faces, len(verts))
-    centre, share = axis(verts[mine], normal[mine]), mine.astype(float)
+    centre, fraction = axis(verts[mine], normal[mine]), mine.astype(float)
     for _ in range(FADE):
-        share = np.where(mine, around @ share, 0.0)
+        fraction = np.where(mine, around @ fraction, 0.0)
     for rounds in SMOOTHING:
         out = verts[mine, :2] - centre
         radius = np.maximum(np.linalg.norm(out, axis=1), 1e-6)
@@ -118,10 +118,10 @@ def on_profile(
         step = np.concatenate([out * move[:, :1], move[:, 1:]], 1)
         every = np.zeros_like(verts)
         every[mine] = step
-        # Neighbours go alike: at a rim they may be of two sides of the profile.
+        # Neighbours go the same way: at a rim they may be of two sides of the profile.
         for _ in range(rounds):
             every = around @ every
-        verts = verts + every * (share if rounds == 0 else mine)[:, None]
+        verts = verts + every * (fraction if rounds == 0 else mine)[:, None]
         normal = unit(normals_of(verts, faces))
     moved = verts - start
     length = np.linalg.norm(moved, axis=1, keepdims=True)

@@ -15,7 +15,7 @@ from torch import Tensor
 from core.errors import UserError
 from core.geometry.faces import agreeing, areas_and_normals
 
-# Fraction of the surface, by area, that may stand at a winding number that no solid has.
+# Fraction of the surface, by area, that may be at a winding number that no solid has.
 TOLERATED = 0.05
 PROBES = 2000  # points of the surface that are looked at
 RAYS, LEAST_RAYS = 20000, 10  # to either side: in all, and of each patch
@@ -172,7 +172,7 @@ def _normals(verts: np.ndarray, faces: np.ndarray) -> np.ndarray:
 def _is_solid(verts: np.ndarray, faces: np.ndarray, windings: igl.FastWindingNumberBVH) -> bool:
     """Whether nearly everywhere just in front of the surface the winding number is 0, 1, 2, ...
 
-    (1 and more within other shells). -1 is a piece that looks inward, a fraction a sheet whose
+    (1 and more within other shells). -1 is a component that looks inward, a fraction a sheet whose
     neighbours look the other way.
     """
     normals = _normals(verts, faces)

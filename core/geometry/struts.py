@@ -15,11 +15,11 @@ from core.geometry.sdf_net import Surface, surface
 from core.geometry.tet_grid import TetGrid
 
 STRUT_CELLS = 1.5  # radius of a strut, cells of the lattice
-MOST_STRUTS = 8  # rubble of more pieces than these join is left in pieces
+MOST_STRUTS = 8  # rubble of more components than these join is left in components
 # A gap is even where it is no more than so much wider than at its narrowest, times and training
 # units, and long from so many training units and widths on.
 EVEN, SLACK, LONG, LONGER = 1.2, 0.02, 0.5, 8.0
-POSTS = (0.12, 0.88)  # of its length, where the two struts stand
+POSTS = (0.12, 0.88)  # of its length, where the two struts are
 OFFSET_WEIGHT = (
     0.25  # of the distance to the line of the centroids, what counts as length of a strut
 )
@@ -29,47 +29,49 @@ Strut = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " 3"]]  # its ends
 
 
 def joined_by_struts(drawn: Surface, grid: TetGrid, keep_ratio: float) -> Surface:
-    """``drawn`` with struts from each piece to the rest of it, the smallest piece first.
+    """``drawn`` with struts from each component to the rest of it, the smallest component first.
 
     A strut is a capsule: the lattice's values become the smaller of their own and its distance.
-    Pieces below ``keep_ratio`` of the largest one's area, and walls of voids, are left alone. A
+    Components below ``keep_ratio`` of the largest one's area, and walls of voids, are left alone. A
     surface in one component comes back as it is.
     """
     for _ in range(MOST_STRUTS):
-        pieces = _pieces(drawn, keep_ratio)
-        if len(pieces) < 2:
+        components = _components(drawn, keep_ratio)
+        if len(components) < 2:
             break
         sdf = drawn.sdf
-        for ends in struts(pieces[0], np.concatenate(pieces[1:])):
+        for ends in struts(components[0], np.concatenate(components[1:])):
             ends = torch.from_numpy(np.stack(ends)).to(drawn.positions)
             sdf = torch.minimum(sdf, capsule(drawn.positions, ends, STRUT_CELLS * grid.cell))
         drawn = surface(sdf, drawn.positions, grid)
     return drawn
 
 
-def struts(piece: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"]) -> list[Strut]:
+def struts(component: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"]) -> list[Strut]:
     """The best struts between two clouds of vertices, a pair where the gap between them is long and
     even, as between a seat and its back.
 
     Else the shortest; where many are about as short, as between a sail and its deck, the one next
     to the line between the centroids.
     """
-    # For each vertex of the piece its shortest strut.
-    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(piece))
-    middle = (piece + rest[nearest]) / 2
-    start, along = piece.mean(0), rest.mean(0) - piece.mean(0)
+    # For each vertex of the component its shortest strut.
+    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(component))
+    middle = (component + rest[nearest]) / 2
+    start, along = component.mean(0), rest.mean(0) - component.mean(0)
     along = along / max(float(np.linalg.norm(along)), 1e-9)
     offset = np.linalg.norm(np.cross(middle - start, along), axis=1)
     best = [int((distance + OFFSET_WEIGHT * offset).argmin())]
     gap = float(distance.min())
     even = np.flatnonzero(distance <= EVEN * gap + SLACK)
-    center = piece[even].mean(0)
-    place = (piece[even] - center) @ np.linalg.svd(piece[even] - center, full_matrices=False)[2][0]
+    center = component[even].mean(0)
+    place = (component[even] - center) @ np.linalg.svd(
+        component[even] - center, full_matrices=False
+    )[2][0]
     low, high = float(place.min()), float(place.max())
     if high - low > max(LONG, LONGER * gap):
-        ends = (np.abs(place - (low + share * (high - low))) for share in POSTS)
+        ends = (np.abs(place - (low + fraction * (high - low))) for fraction in POSTS)
         best = [int(even[end.argmin()]) for end in ends]
-    return [(piece[one], rest[nearest[one]]) for one in best]
+    return [(component[one], rest[nearest[one]]) for one in best]
 
 
 def capsule(
@@ -78,12 +80,12 @@ def capsule(
     """Distance to a segment's surroundings, negative within ``radius`` of it."""
     way = ends[1] - ends[0]
     # Both ends in one point are a ball, not 0 / 0.
-    share = ((points - ends[0]) @ way / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
-    return (points - ends[0] - share[:, None] * way).norm(dim=1) - radius
+    fraction = ((points - ends[0]) @ way / way.square().sum().clamp_min(1e-12)).clamp(0, 1)
+    return (points - ends[0] - fraction[:, None] * way).norm(dim=1) - radius
 
 
-def _pieces(drawn: Surface, keep_ratio: float) -> list[Float[np.ndarray, "v 3"]]:
-    """Vertices of the solid pieces, the smallest area first."""
+def _components(drawn: Surface, keep_ratio: float) -> list[Float[np.ndarray, "v 3"]]:
+    """Vertices of the solid components, the smallest area first."""
     verts, faces = drawn.verts.detach(), drawn.faces
     count, of_face = component_labels(faces, len(verts))
     found = []
@@ -92,5 +94,5 @@ def _pieces(drawn: Surface, keep_ratio: float) -> list[Float[np.ndarray, "v 3"]]
         area = float(face_areas(verts, own).sum())
         if signed_volume(verts, own) > 0:
             found.append((area, verts[own.unique()].cpu().numpy()))
-    found.sort(key=lambda piece: piece[0])
+    found.sort(key=lambda component: component[0])
     return [points for area, points in found if area >= keep_ratio * found[-1][0]]

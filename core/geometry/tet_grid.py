@@ -29,7 +29,7 @@ EXTENT = 1.05  # half the side of the cube that the training happens in
 class TetGrid:
     """The lattice over the cube [-extent, extent]³.
 
-    Node (i, j, k) has the index (i (n+1) + j) (n+1) + k, n the resolution, and lies at
+    Node (i, j, k) has the index (i (n+1) + j) (n+1) + k, n the resolution, and is at
     -extent + cell (i, j, k). Cube c owns the tetrahedra 6c to 6c + 5. ``tets`` is positively
     oriented; ``tet_edges`` follows TET_CORNERS. Index tables are int32: half the memory.
     """

@@ -1,6 +1,6 @@
 """The union of closed meshes as one closed mesh; the only file that imports manifold3d.
 
-Its result is a manifold however the meshes lie to each other (Smith, "Towards robust inexact
+Its result is a manifold whatever the meshes' positions are (Smith, "Towards robust inexact
 geometric computation", 2009).
 """
 
@@ -27,16 +27,16 @@ def union(
     is joined.
 
     Args:
-        strut: radius of the capsules between pieces that do not touch; 0 leaves them apart.
+        strut: radius of the capsules between components that do not touch; 0 leaves them apart.
     """
     whole = manifold3d.Manifold.batch_boolean([_solid(*m) for m in meshes], manifold3d.OpType.Add)
     for _ in range(MOST_STRUTS if strut else 0):
-        # The wall of a void comes as a piece of its own, inside out.
-        solid = [piece for piece in whole.decompose() if piece.volume() > 0]
-        pieces = sorted(solid, key=lambda piece: piece.volume())
-        if len(pieces) < 2:
+        # The wall of a void comes as a component of its own, inside out.
+        solid = [component for component in whole.decompose() if component.volume() > 0]
+        components = sorted(solid, key=lambda component: component.volume())
+        if len(components) < 2:
             break
-        for ends in struts(_verts(pieces[0]), np.concatenate([*map(_verts, pieces[1:])])):
+        for ends in struts(_verts(components[0]), np.concatenate([*map(_verts, components[1:])])):
             whole = whole + _capsule(*ends, strut)
     made = whole.to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)

@@ -43,7 +43,7 @@ def uv_health(mesh: Mesh) -> dict[str, float | int]:
 
 
 def island_count(face_uvs: Int[Tensor, "f 3"], uv_count: int) -> int:
-    """Pieces of the map that hang together by a common uv index; unused indices are none."""
+    """Components of the map that hang together by a common uv index; unused indices are none."""
     start, end = face_uvs.cpu().reshape(-1).numpy(), face_uvs.roll(1, 1).cpu().reshape(-1).numpy()
     graph = coo_array((start * 0 + 1, (start, end)), shape=(uv_count, uv_count))
     labels = connected_components(graph, directed=False)[1]

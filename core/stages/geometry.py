@@ -15,8 +15,8 @@ from core.geometry.crisp import crisp
 from core.geometry.leash import Leash
 from core.geometry.mesh import Mesh, drop_floaters, polished
 from core.geometry.parts.assembly import KnownParts, assembled
+from core.geometry.parts.components import ERROR
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import ERROR
 from core.geometry.ray_sdf import ray_min_sdf
 from core.geometry.revolved import revolved
 from core.geometry.sdf_net import Band, SdfNet, band_about, extract
@@ -124,7 +124,7 @@ def leashed(parts: KnownParts, leash: Leash) -> KnownParts:
     """``parts`` within the leash, and the guide's inside, which is neither flat nor round."""
     flat, around, cornered, _ = parts.forms
     distances = leash.parts(parts.distances, len(flat))
-    # The leash may cut pieces small.
+    # The leash may cut components small.
     forms = Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around), cornered)
     return KnownParts(distances, forms, parts.wider)
 

@@ -3,7 +3,7 @@
 import pytest
 import torch
 
-from core.geometry.parts import pieces
+from core.geometry.parts import components
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import FLUSH, INSET, SolidAreas, patterned
 from core.guidance.builtin.palette import FINISHES, looks
@@ -199,7 +199,7 @@ def test_a_basketball_has_two_circles_and_a_curve_at_either_side():
     ],
 )
 def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
-    monkeypatch.setattr(pieces, "SEARCH", 40)  # an eighth of the time
+    monkeypatch.setattr(components, "SEARCH", 40)  # an eighth of the time
     prompted = shipped_prior().prompted(prompt, "")
     assert prompted.areas() is None  # not drawn yet
     areas = prompted.of_object(0).areas()
@@ -213,7 +213,7 @@ def test_the_areas_of_what_is_drawn(prompt, plain, monkeypatch):
 @pytest.mark.usefixtures("coarse")
 def test_a_striped_rug_has_stripes_across_it(monkeypatch):
     """Level ones, as a mast's, would leave what lies in one colour."""
-    monkeypatch.setattr(pieces, "SEARCH", 40)
+    monkeypatch.setattr(components, "SEARCH", 40)
     prompted = shipped_prior().prompted("a red and white striped rug", "").of_object(0)
     areas, size = prompted.areas(), prompted.parts().extents()[0]
     along, across = (0, 1) if size[0] > size[1] else (1, 0)
@@ -283,7 +283,7 @@ def test_the_nearest_areas_are_those_of_the_lattices_nodes():
 
 @pytest.mark.usefixtures("coarse")  # the weights
 def test_each_part_has_the_finish_that_the_words_and_nature_give_it(monkeypatch):
-    monkeypatch.setattr(pieces, "SEARCH", 40)
+    monkeypatch.setattr(components, "SEARCH", 40)
     guidance = shipped_prior()
 
     def areas_of(prompt):

@@ -1,4 +1,4 @@
-"""A solid of known parts as a mesh: pieces of their own, exact forms, one union."""
+"""A solid of known parts as a mesh: components of their own, exact forms, one union."""
 
 import math
 
@@ -10,20 +10,20 @@ from core.geometry.faces import bending
 from core.geometry.lattice import Lattice
 from core.geometry.mesh import health
 from core.geometry.parts import assembly, matching
-from core.geometry.parts import pieces as assembly_pieces
+from core.geometry.parts import components as assembly_components
 from core.geometry.parts.assembly import KnownParts, assembled
-from core.geometry.parts.fitting import Faces
-from core.geometry.parts.forms import Forms
-from core.geometry.parts.matching import alike, around, fitted_together, mirrored, slack_of
-from core.geometry.parts.pieces import (
-    Piece,
+from core.geometry.parts.components import (
+    Component,
     Place,
     drawn_at,
     places_of,
     points_of,
     repeats,
-    turned_share,
+    turned_fraction,
 )
+from core.geometry.parts.fitting import Faces
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.matching import around, fitted_together, mirrored, slack_of
 from core.geometry.parts.primitives import Primitive, packed, unpacked
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals
@@ -73,17 +73,17 @@ def wavy_mesh(wavy_parts):
 
 
 def drawn(distances):
-    """The first piece."""
+    """The first component."""
     return drawn_at(distances, next(places_of(distances, 1)))
 
 
-def test_every_connected_piece_of_a_part_is_one():
-    pieces = list(places_of(table, 4))
-    assert [piece.part for piece in pieces] == [BOARD, LEGS, LEGS, BALL]
-    for piece, low in zip(pieces, (-0.7, -0.58, 0.42, 0.11), strict=True):
-        assert -0.07 < piece.low[0] - low < 0
+def test_every_connected_component_of_a_part_is_one():
+    components = list(places_of(table, 4))
+    assert [component.part for component in components] == [BOARD, LEGS, LEGS, BALL]
+    for component, low in zip(components, (-0.7, -0.58, 0.42, 0.11), strict=True):
+        assert -0.07 < component.low[0] - low < 0
     # Each knows where the other of its part is.
-    left, right = pieces[1], pieces[2]
+    left, right = components[1], components[2]
     places = torch.tensor([[-0.5, 0.0, -0.2], [0.5, 0.0, -0.2], [0.0, 0.0, -0.2]])
     assert left.others(places).tolist() == [False, True, False]
     assert right.others(places).tolist() == [True, False, False]
@@ -102,7 +102,7 @@ def test_what_waves_comes_out_with_its_planes_and_its_ball(wavy_parts, wavy_mesh
     ball = (middle - torch.tensor([0.2, 0.1, 0.3])).norm(dim=1) < 0.12
     along = normal.abs().amax(1) > 0.999
     assert (area * along)[~ball].sum() / area[~ball].sum() > 0.97
-    # As exact as the waves of a piece's middle let it be.
+    # As exact as the waves of a component's middle let it be.
     low, high = verts.amin(0), verts.amax(0)
     torch.testing.assert_close(low, torch.tensor([-0.7, -0.5, -0.67]), atol=0.012, rtol=0)
     torch.testing.assert_close(high[:2], torch.tensor([0.7, 0.5]), atol=0.012, rtol=0)
@@ -139,8 +139,8 @@ def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
         return (edge.clamp_min(0).norm(dim=1) + edge.amax(1).clamp_max(0) - 0.02)[:, None]
 
     def told(part, flat):
-        (piece,) = KnownParts(part, Forms((flat,), ((0.5,),) * 3)).pieces
-        return piece.primitive.form if piece.primitive else ""
+        (component,) = KnownParts(part, Forms((flat,), ((0.5,),) * 3)).components
+        return component.primitive.form if component.primitive else ""
 
     assert told(stripe, 1.0) == "box"
     assert told(stripe, 0.0) not in ("box", "")
@@ -152,17 +152,17 @@ def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
 
 
 @pytest.mark.parametrize(("flat", "form"), [(0.5, "capsule"), (0.57, "capsule"), (0.66, "box")])
-def test_of_a_part_that_is_mostly_flat_a_piece_is_a_block(flat, form):
+def test_of_a_part_that_is_mostly_flat_a_component_is_a_block(flat, form):
     """A nightstand's drawer, drawn rounded, was a roll."""
 
     def drawer(points):
         return (box(points, (0.0, 0.0, 0.0), (0.34, 0.02, 0.035)) - 0.08)[:, None]
 
-    (piece,) = KnownParts(drawer, Forms((flat,), ((0.0,),) * 3)).pieces
-    assert piece.primitive.form == form
+    (component,) = KnownParts(drawer, Forms((flat,), ((0.0,),) * 3)).components
+    assert component.primitive.form == form
 
 
-def test_what_is_round_is_told_by_the_piece_itself():
+def test_what_is_round_is_told_by_the_component_itself():
     def disc(points):
         across = points[:, :2].norm(dim=1) - 0.5
         return torch.maximum(across, points[:, 2].abs() - 0.08)[:, None]
@@ -170,9 +170,9 @@ def test_what_is_round_is_told_by_the_piece_itself():
     def square(points):
         return box(points, (0.0, 0.0, 0.0), (0.5, 0.5, 0.08))[:, None]
 
-    assert turned_share(disc, drawn(disc), 2) > 0.99
-    assert turned_share(disc, drawn(disc), 0) < 0.5
-    assert turned_share(square, drawn(square), 2) < 0.95
+    assert turned_fraction(disc, drawn(disc), 2) > 0.99
+    assert turned_fraction(disc, drawn(disc), 0) < 0.5
+    assert turned_fraction(square, drawn(square), 2) < 0.95
     # Its profile is a circle, though it has lumps and the table of forms says square.
 
     def lumpy(points):
@@ -197,12 +197,12 @@ def test_what_does_not_touch_is_joined():
     assert left == pytest.approx(float(right), abs=1e-6) and 0.201 < left < 0.205
 
 
-def piece_of(one, part=0, error=0.03):
-    """The piece whose surface a primitive's is."""
+def component_of(one, part=0, error=0.03):
+    """The component whose surface a primitive's is."""
     verts, faces = one.mesh(0.05)
     low, high = verts.amin(0).double().numpy(), verts.amax(0).double().numpy()
     place = Place(part, low, high, lambda points: torch.zeros(len(points), dtype=torch.bool))
-    return Piece(place, verts, faces, Lattice(np.ones((2, 2, 2)), low, 0.05), error)
+    return Component(place, verts, faces, Lattice(np.ones((2, 2, 2)), low, 0.05), error)
 
 
 def upright(*lengths, at=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0)):
@@ -215,21 +215,21 @@ CUBES = KnownParts(lambda points: CUBE.distance(points)[:, None], Forms((1.0,), 
 
 
 @pytest.mark.parametrize("fault", ["ragged", "open"])
-def test_planes_that_straighten_little_or_open_a_piece_are_not_taken(monkeypatch, fault):
-    piece = piece_of(CUBE)
-    noise = 0.01 * torch.randn(piece.verts.shape, generator=torch.Generator().manual_seed(0))
-    good = piece.verts.clone(), piece.faces
+def test_planes_that_straighten_little_or_open_a_component_are_not_taken(monkeypatch, fault):
+    component = component_of(CUBE)
+    noise = 0.01 * torch.randn(component.verts.shape, generator=torch.Generator().manual_seed(0))
+    good = component.verts.clone(), component.faces
     bad = {
-        "ragged": (piece.verts + 0.95 * noise, piece.faces),
-        "open": (piece.verts.clone(), piece.faces[1:]),
+        "ragged": (component.verts + 0.95 * noise, component.faces),
+        "open": (component.verts.clone(), component.faces[1:]),
     }[fault]
-    piece = piece._replace(verts=piece.verts + noise)
+    component = component._replace(verts=component.verts + noise)
     for answer, taken in ((bad, False), (good, True)):
         monkeypatch.setattr(assembly, "crisp", lambda *_, a=answer, smooth: a)
-        verts, _ = assembly.exact_surface(CUBES, piece)
+        verts, _ = assembly.exact_surface(CUBES, component)
         assert (verts is answer[0]) == taken
         rough, left = (
-            bending(v.double().numpy(), piece.faces.numpy()) for v in (piece.verts, verts)
+            bending(v.double().numpy(), component.faces.numpy()) for v in (component.verts, verts)
         )
         assert taken or left < 0.8 * rough  # then it loses its ripples instead
 
@@ -247,18 +247,18 @@ def test_of_layers_that_fit_as_well_those_of_fewer_numbers_are_taken(monkeypatch
     fine, plain = layers(20), layers(1)
     found = iter([fine, plain, fine])
     monkeypatch.setattr(assembly, "layered", lambda *_: next(found))
-    one = CUBES._layered(piece_of(CUBE))
+    one = CUBES._layered(component_of(CUBE))
     assert one is plain and next(found, None) is None  # along all three axes
 
 
-def test_layers_are_sought_along_a_piece_s_own_axes_and_around_it(monkeypatch):
+def test_layers_are_sought_along_a_component_s_own_axes_and_around_it(monkeypatch):
     frames, tilted = [], upright(0.4, 0.3, 0.1, turn=(0.0, 0.5, 0.3))
     around_it = layers(1)
     monkeypatch.setattr(assembly, "layered", lambda _, frame: frames.append(frame))
     monkeypatch.setattr(assembly, "wall", lambda _: around_it)
-    assert CUBES._layered(piece_of(CUBE)) is around_it
+    assert CUBES._layered(component_of(CUBE)) is around_it
     assert len(frames) == 3
-    CUBES._layered(piece_of(tilted))
+    CUBES._layered(component_of(tilted))
     assert len(frames) == 9
     along = [abs(frame[:, 2] @ tilted.frame[:, 2]) for frame in frames[6:]]
     assert max(along) > 0.99
@@ -270,33 +270,35 @@ def test_a_block_that_was_not_drawn_so_is_told_anew(monkeypatch, refused, told):
         return upright(0.1, 0.1, 0.1)._replace(form="box" if faces.block else "capsule")
 
     monkeypatch.setattr(matching, "primitive_of", fitted)
-    monkeypatch.setattr(matching, "is_drawn", lambda _, one, piece: one.form != refused)
-    piece = piece_of(upright(0.1, 0.1, 0.1))
-    one = matching.one_drawn(table, piece, assembly_pieces.points_of(piece), Faces(block=True))
+    monkeypatch.setattr(matching, "is_drawn", lambda _, one, component: one.form != refused)
+    component = component_of(upright(0.1, 0.1, 0.1))
+    one = matching.one_drawn(
+        table, component, assembly_components.points_of(component), Faces(block=True)
+    )
     assert one is not None and one.form == told
 
 
-def test_pieces_of_one_part_and_size_are_alike():
+def test_components_of_one_part_and_size_are_alike():
     sizes = ((0, 0.3), (0, 0.1), (1, 0.1), (0, 0.105))
-    pieces = [piece_of(upright(half, half, half), part) for part, half in sizes]
-    assert sorted(map(sorted, alike(pieces))) == [[0], [1, 3], [2]]
+    components = [component_of(upright(half, half, half), part) for part, half in sizes]
+    assert sorted(map(sorted, similar_groups(components))) == [[0], [1, 3], [2]]
 
 
-def test_three_pieces_may_be_worse_than_two():
+def test_three_components_may_be_worse_than_two():
     assert slack_of(2) == 1 < slack_of(3)
 
 
 @pytest.mark.parametrize("placed", [mirrored, around])
-def test_pieces_that_are_mirrored_or_turned_are_fitted_together(placed):
+def test_components_that_are_mirrored_or_turned_are_fitted_together(placed):
     """Legs that spread."""
     leg = upright(0.06, 0.09, 0.3, turn=(0.1, 0.4, 0.0))
     ends = [(0.5, 0.4), (-0.5, 0.4)] if placed is mirrored else [(0.5, 0.0), (-0.3, 0.4)]
     middles = [np.array([*end, 0.1]) for end in ends]
-    pieces = [piece_of(leg.placed(placed(middle), middle)) for middle in middles]
-    points = [points_of(piece) for piece in pieces]
-    found = fitted_together(pieces, points)
+    components = [component_of(leg.placed(placed(middle), middle)) for middle in middles]
+    points = [points_of(component) for component in components]
+    found = fitted_together(components, points)
     for one, some in zip(found, points, strict=True):
-        assert one is not None and one.fits(some, pieces[0].error)
+        assert one is not None and one.fits(some, components[0].error)
         np.testing.assert_array_equal(one.lengths, found[0].lengths)
 
 
@@ -312,8 +314,8 @@ def test_a_part_of_many_corners_is_not_taken_for_round():
         return torch.maximum(across, points[:, 1].abs() - 0.08)[:, None]
 
     forms = Forms((0.9,), ((0.0,), (0.87,), (0.0,)))
-    assert KnownParts(octagon, forms).pieces[0].primitive.form in ("frustum", "turned")
-    (one,) = KnownParts(octagon, forms._replace(cornered=(0,))).pieces
+    assert KnownParts(octagon, forms).components[0].primitive.form in ("frustum", "turned")
+    (one,) = KnownParts(octagon, forms._replace(cornered=(0,))).components
     assert one.primitive.form == "layers"
     (_, _, (loop,)) = unpacked(one.primitive.lengths)[0]
     assert len(loop) == 8
@@ -404,19 +406,19 @@ def star(points, wave=0.0):
 def test_what_repeats_itself_around_an_axis_does_so_exactly():
     forms = Forms((0.0,), ((0.0,),) * 3)
     bent = KnownParts(lambda points: star(points, wave=0.006), forms)
-    piece = bent.pieces[0]
-    assert len(bent.pieces) == 1 and piece.primitive is None
-    mean = repeats(bent.distances, piece)
+    component = bent.components[0]
+    assert len(bent.components) == 1 and component.primitive is None
+    mean = repeats(bent.distances, component)
     assert mean is not None
     points = torch.rand(500, 3) - 0.5
-    turned = (points - piece.middle) @ around(1 / 3) + piece.middle
+    turned = (points - component.middle) @ around(1 / 3) + component.middle
     torch.testing.assert_close(mean(turned), mean(points), atol=1e-5, rtol=0)
     assert (bent.distances(turned) - bent.distances(points)).abs().max() > 0.005
     verts, _ = bent.surface_of(0)
     assert mean(verts).abs().mean() < 0.5 * bent.distances(verts).abs().mean()
     # One arm is longer than the others, and another thicker: nothing repeats.
     uneven = KnownParts(lambda p: star(p).minimum(long(p)), forms)
-    assert repeats(uneven.distances, uneven.pieces[0]) is None
+    assert repeats(uneven.distances, uneven.components[0]) is None
 
 
 def long(points):
@@ -431,8 +433,8 @@ def test_a_flat_outline_is_one_all_along():
         return (box(points, (0.0, 0.0, 0.0), (0.7, 0.2, 0.5)).maximum(hole) + wave)[:, None]
 
     known = KnownParts(arch, Forms((0.7,), ((0.0,),) * 3))
-    (piece,) = known.pieces
-    assert piece.primitive is not None and piece.primitive.form == "layers"
+    (component,) = known.components
+    assert component.primitive is not None and component.primitive.form == "layers"
     verts, faces = known.surface_of(0)
     normals = face_normals(verts, faces)
     # Each face is an end, or along the axis.
@@ -440,8 +442,8 @@ def test_a_flat_outline_is_one_all_along():
     assert ((along < 1e-2) | (along > 1 - 1e-2)).all()
     assert (arch(verts)[:, 0].abs() < 0.03).all()
     # A part that is round in the mean has none.
-    (piece,) = KnownParts(arch, Forms((0.1,), ((0.0,),) * 3)).pieces
-    assert piece.primitive is None
+    (component,) = KnownParts(arch, Forms((0.1,), ((0.0,),) * 3)).components
+    assert component.primitive is None
 
 
 def test_four_legs_are_one_leg_four_times():
@@ -451,7 +453,10 @@ def test_four_legs_are_one_leg_four_times():
         each = [box(points, (x, y, 0.0), (0.1, 0.1, 0.4)) for x, y in at]
         return (torch.stack(each).amin(0) + wave)[:, None]
 
-    found = [piece.primitive for piece in KnownParts(legs, Forms((1.0,), ((0.0,),) * 3)).pieces]
+    found = [
+        component.primitive
+        for component in KnownParts(legs, Forms((1.0,), ((0.0,),) * 3)).components
+    ]
     assert [one.form for one in found] == ["box"] * 4
     # But for the last digit, as the legs' faces are made flush.
     assert np.ptp([one.lengths for one in found], axis=0).max() < 1e-12
@@ -477,14 +482,14 @@ def test_a_primitive_is_not_what_has_a_spike(high, stays):
         return torch.stack([torch.minimum(board, spike), torch.ones(len(points))], 1)
 
     (place,) = places_of(distances, 1)
-    piece = drawn_at(distances, place)
-    assert piece is not None
+    component = drawn_at(distances, place)
+    assert component is not None
     board = Primitive("box", np.zeros(3), np.zeros(3), np.array([0.8, 0.8, 0.15, 0.0]))
-    assert matching.is_drawn(distances, board, piece) == stays
+    assert matching.is_drawn(distances, board, component) == stays
 
 
-@pytest.mark.parametrize(("least", "pieces"), [((), 2), ((0.02,), 2), ((1.0,), 1), ((0.0,), 2)])
-def test_what_is_far_smaller_than_any_piece_of_its_part_is_a_stray(least, pieces):
+@pytest.mark.parametrize(("least", "components"), [((), 2), ((0.02,), 2), ((1.0,), 1), ((0.0,), 2)])
+def test_what_is_far_smaller_than_any_component_of_its_part_is_a_stray(least, components):
     """A ball, and one of a thirtieth of its surface."""
 
     def balls(points):
@@ -492,6 +497,8 @@ def test_what_is_far_smaller_than_any_piece_of_its_part_is_a_stray(least, pieces
             [(points - torch.tensor([x, 0.0, 0.0])).norm(dim=1) - r for x, r in BALLS], 1
         ).amin(1, keepdim=True)
 
-    found = KnownParts(balls, Forms((0.0,), ((1.0,),) * 3, least=least)).pieces
-    assert len(found) == pieces
-    assert max(float(piece.verts[:, 0].max()) for piece in found) == pytest.approx(0.4, abs=0.02)
+    found = KnownParts(balls, Forms((0.0,), ((1.0,),) * 3, least=least)).components
+    assert len(found) == components
+    assert max(float(component.verts[:, 0].max()) for component in found) == pytest.approx(
+        0.4, abs=0.02
+    )

@@ -21,7 +21,7 @@ from core.geometry.guide import guide_leash, guide_shape
 from core.geometry.init_shape import ellipsoid, sample_surface
 from core.geometry.leash import reach_of
 from core.geometry.mesh import Mesh, health, normalise
-from core.geometry.parts import pieces
+from core.geometry.parts import components
 from core.geometry.residual import lattice_nodes
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
@@ -158,7 +158,7 @@ def test_where_nothing_is_drawn_a_guide_changes_no_guidance() -> None:
 
 def made_of(strength: float, run: Path) -> tuple[Inputs, Mesh]:
     """A chair by the guide of a chair; the guidance knows where its parts are."""
-    with mock.patch.object(pieces, "SEARCH", 40):  # its parts are found in a fifth of the time
+    with mock.patch.object(components, "SEARCH", 40):  # its parts are found in a fifth of the time
         return _made_of(strength, run)
 
 

@@ -9,8 +9,8 @@ from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import health
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.blade import blade
+from core.geometry.parts.components import drawn_at, places_of, points_of
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import drawn_at, places_of, points_of
 from core.geometry.parts.primitives import Primitive
 from core.geometry.union import is_solid
 from core.prior.solids import box, lozenge_blade
@@ -60,15 +60,15 @@ def drawn(solid):
     return lambda p: torch.stack([solid(p + by) for by in apart]).mean(0)[:, None]
 
 
-def piece_of(distances):
+def component_of(distances):
     (place,) = places_of(distances, 1)
     return drawn_at(distances, place)
 
 
 def forms_of(solid, flat):
     return [
-        piece.primitive and piece.primitive.form
-        for piece in KnownParts(drawn(solid), Forms((flat,), ((0.0,),) * 3)).pieces
+        component.primitive and component.primitive.form
+        for component in KnownParts(drawn(solid), Forms((flat,), ((0.0,),) * 3)).components
     ]
 
 
@@ -127,15 +127,15 @@ def test_a_lozenge_blade_is_the_same_on_both_sides_and_never_beyond_the_distance
 
 @pytest.mark.parametrize(("shape", "axis", "up"), CASES)
 def test_a_blade_is_found_again_with_the_point_that_a_network_rounds_off(shape, axis, up):
-    piece = piece_of(drawn(lying(lozenge_blade(*shape), axis, up)))
-    one = blade(piece)
-    assert one is not None and one.fits(points_of(piece), piece.error)
+    component = component_of(drawn(lying(lozenge_blade(*shape), axis, up)))
+    one = blade(component)
+    assert one is not None and one.fits(points_of(component), component.error)
     low, high, *_ = shape
     begin, end = (one.center + by * one.frame[:, 2] for by in (0.0, one.lengths[2:4].sum()))
     assert np.delete(np.abs([begin, end]), axis, 1).max() < 0.01  # on the axis
     assert begin[axis] * up == pytest.approx(low, abs=0.01)
     # Of the tenth of a unit that is lost most comes back.
-    assert high - float((piece.verts[:, axis] * up).max()) > 0.09
+    assert high - float((component.verts[:, axis] * up).max()) > 0.09
     assert end[axis] * up == pytest.approx(high, abs=0.05)
     wanted = primitive(shape).lengths
     np.testing.assert_allclose(one.lengths[[0, 1, 2, 4]], wanted[[0, 1, 2, 4]], rtol=0.07)
@@ -143,22 +143,22 @@ def test_a_blade_is_found_again_with_the_point_that_a_network_rounds_off(shape, 
 
 
 @pytest.mark.parametrize(("flat", "is_blade"), [(0.5, False), (0.66, True), (1.0, True)])
-def test_a_piece_is_a_blade_only_where_the_part_is_mostly_flat(flat, is_blade):
+def test_a_component_is_a_blade_only_where_the_part_is_mostly_flat(flat, is_blade):
     assert (forms_of(lozenge_blade(*SWORD), flat) == ["blade"]) == is_blade
 
 
 def test_a_board_is_a_box_and_fits_no_blade():
     board = box((0.0, 0.0, 0.0), (0.2, 0.1, 0.6))
     assert forms_of(board, 1.0) == ["box"]
-    piece = piece_of(drawn(board))
-    one = blade(piece)
-    assert one is not None and not one.fits(points_of(piece), piece.error)
+    component = component_of(drawn(board))
+    one = blade(component)
+    assert one is not None and not one.fits(points_of(component), component.error)
 
 
 @pytest.mark.parametrize(("long", "is_long"), [(0.9, False), (1.3, True)])
 def test_what_is_hardly_longer_than_wide_is_no_blade(long, is_long):
     shape = (-0.4, -0.4 + long, 0.4, 0.3, 0.4, 0.9)
-    assert (blade(piece_of(drawn(lozenge_blade(*shape)))) is not None) == is_long
+    assert (blade(component_of(drawn(lozenge_blade(*shape)))) is not None) == is_long
 
 
 def test_a_small_blade_is_none_of_the_round_forms_that_are_near_it():

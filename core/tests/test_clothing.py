@@ -193,7 +193,7 @@ def test_shoes_are_on_each_foot_and_do_not_fit_a_fish():
 def test_who_is_dressed_is_one_closed_mesh_without_a_strut(prompt: str):
     parts = composed(prompt).parts()
     assert parts
-    verts, faces = union([parts.surface_of(k) for k in range(len(parts.pieces))], strut=0.0)
+    verts, faces = union([parts.surface_of(k) for k in range(len(parts.components))], strut=0.0)
     assert is_solid(verts, faces) and component_labels(faces, len(verts))[0] == 1
 
 

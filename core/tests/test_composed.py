@@ -23,7 +23,7 @@ from core.job_config import config_of
 from core.tests.drawn_things import body, composed, shipped_prior
 
 
-def test_a_composition_is_one_closed_piece_of_the_usual_radius():
+def test_a_composition_is_one_closed_component_of_the_usual_radius():
     parts = composed("a cat on a red cushion").parts()
     assert parts is not None
     made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)

@@ -8,9 +8,9 @@ from core.geometry.mesh import health
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.crossed import crossed
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.layered import ends_share
+from core.geometry.parts.layered import ends_fraction
 from core.geometry.parts.primitives import along_axes, unpacked
-from core.tests.test_layered import box, farthest, piece_of
+from core.tests.test_layered import box, component_of, farthest
 
 
 def fin(p, along, thin):
@@ -36,26 +36,26 @@ def ball(p):
 
 @pytest.mark.parametrize("distance", [fins, tail])
 def test_plates_across_one_another_are_found(distance) -> None:
-    one = crossed(piece_of(distance, wave=0.002))
+    one = crossed(component_of(distance, wave=0.002))
     assert one is not None and one.form == "crossed"
     assert len(list(along_axes(one.lengths))) == 2
     assert all(len(unpacked(own)) == 1 for _, own in along_axes(one.lengths))
     assert farthest(one, distance) < 0.035
     found = health(*one.mesh(0.05))
     assert found["closed"] and found["manifold"] and found["components"] == 1
-    assert ends_share(one) > 0.6  # its plates' sides
+    assert ends_fraction(one) > 0.6  # its plates' sides
 
 
 def test_a_thing_of_such_parts_is_put_together_of_them() -> None:
     def distances(points):
         return torch.from_numpy(fins(points.double().numpy())).float()[:, None]
 
-    (piece,) = KnownParts(distances, Forms((0.9,), ((0.0,), (0.0,), (0.0,)))).pieces
-    assert piece.primitive is not None and piece.primitive.form == "crossed"
+    (component,) = KnownParts(distances, Forms((0.9,), ((0.0,), (0.0,), (0.0,)))).components
+    assert component.primitive is not None and component.primitive.form == "crossed"
 
 
 def test_its_distance_is_that_of_its_surface() -> None:
-    one = crossed(piece_of(fins))
+    one = crossed(component_of(fins))
     assert one is not None
     verts, _ = one.mesh(0.05)
     assert np.abs(one.at(verts.double().numpy())).max() < 1e-5
@@ -78,4 +78,4 @@ def discs(p):
 
 @pytest.mark.parametrize("distance", [ball, lambda p: box(p), discs])
 def test_what_is_no_plates_or_one_is_not(distance) -> None:
-    assert crossed(piece_of(distance)) is None
+    assert crossed(component_of(distance)) is None

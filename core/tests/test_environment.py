@@ -82,7 +82,7 @@ def test_resampling_keeps_the_energy(size: tuple[int, int]) -> None:
     assert torch.equal(resample(image, 24, 50), image)
 
 
-def test_convolution_equals_slow_twin() -> None:
+def test_convolution_equals_a_slow_reference() -> None:
     image = torch.rand(8, 16, 3, generator=GENERATOR)
     d, area = directions(8, 16), solid_angles(8, 16)
 

@@ -61,7 +61,7 @@ def wild() -> dict[str, Mesh]:
     return {
         "open": mesh_of(half),
         "inward": mesh_of(inward),
-        "two pieces": mesh_of(box((1, 1, 1)), box((0.2, 0.2, 0.2), (1.2, 0, 0))),
+        "two components": mesh_of(box((1, 1, 1)), box((0.2, 0.2, 0.2), (1.2, 0, 0))),
         "thin plate": mesh_of(box((1, 1, 0.004))),
         "three faces at an edge": mesh_of(box((1, 1, 1)), box((1, 1, 1), (1, 1, 0)), weld=True),
     }

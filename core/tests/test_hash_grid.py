@@ -24,7 +24,7 @@ def points(count, seed=2, dtype=torch.float64):
     return (torch.rand(count, 3, generator=generator, dtype=dtype) * 2 - 1) * 1.05
 
 
-def slow_twin(grid, point):
+def slow_reference(grid, point):
     """One point's features by the paper's words, in Python's own integers."""
     features, start = [], 0
     for resolution, size in zip(grid.resolutions, grid.sizes, strict=True):
@@ -47,11 +47,11 @@ def slow_twin(grid, point):
 
 
 @pytest.mark.parametrize("features", [1, 2, 3])
-def test_features_against_a_slow_twin(features):
+def test_features_against_a_slow_reference(features):
     grid = small(features)
     assert 0 < sum((r + 1) ** 3 <= s for r, s in zip(grid.resolutions, grid.sizes, strict=True)) < 4
     p = points(40)
-    expected = torch.stack([slow_twin(grid, point) for point in p])
+    expected = torch.stack([slow_reference(grid, point) for point in p])
     torch.testing.assert_close(grid(p).detach(), expected)
 
 

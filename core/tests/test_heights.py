@@ -150,7 +150,7 @@ def test_a_houses_panes_lie_below_their_frames_and_its_doors_panels_stand_out(ho
     one, areas = house
     names = [part.name for part in one.painted.paints]
     parts = one.parts()
-    verts = torch.cat([parts.surface_of(k)[0] for k in range(len(parts.pieces))])
+    verts = torch.cat([parts.surface_of(k)[0] for k in range(len(parts.components))])
     area = areas.of(verts)
     heights = areas.heights(verts, area)
     walls, panes, frames, door, panels = (

@@ -1,4 +1,4 @@
-"""The compiled loops against the torch formulas that they are twins of."""
+"""The compiled loops against the torch formulas that they implement."""
 
 import errno
 import shutil

@@ -7,8 +7,8 @@ from scipy.spatial.transform import Rotation
 
 from core.geometry.lattice import Lattice
 from core.geometry.mesh import health
-from core.geometry.parts.layered import drift, ends_share, layered, segments, wall
-from core.geometry.parts.pieces import Piece, Place
+from core.geometry.parts.components import Component, Place
+from core.geometry.parts.layered import drift, ends_fraction, layered, segments, wall
 from core.geometry.parts.primitives import Primitive, packed, unpacked
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import tet_grid
@@ -49,16 +49,16 @@ def crown(p):
     return np.maximum(ring, (p[:, 2] + 0.1 - 0.5 * (1 - point)) * 0.5)
 
 
-def piece_of(distance, wave=0.0):
+def component_of(distance, wave=0.0):
     field = distance(NODES) + wave * np.sin(19 * NODES).sum(1)
     verts, faces, *_ = surface(torch.from_numpy(field).float(), GRID.tet_verts, GRID)
     lattice = Lattice(field.reshape(GRID.shape), NODES[0], GRID.cell)
     place = Place(0, NODES[0], NODES[-1], lambda points: torch.zeros(len(points), dtype=torch.bool))
-    return Piece(place, verts, faces, lattice, ERROR)
+    return Component(place, verts, faces, lattice, ERROR)
 
 
 def found_in(distance, frame, wave=0.0):
-    return layered(piece_of(distance, wave), frame)
+    return layered(component_of(distance, wave), frame)
 
 
 def farthest(one, distance):
@@ -139,13 +139,13 @@ def test_a_blade_has_no_layers():
 
 @pytest.mark.parametrize("distance", [blade, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_tapers_or_bulges_is_not_of_layers(distance):
-    piece = piece_of(distance)
-    one = layered(piece, UP)
-    assert one is None or not one.fits(piece.verts.double().numpy(), ERROR)
+    component = component_of(distance)
+    one = layered(component, UP)
+    assert one is None or not one.fits(component.verts.double().numpy(), ERROR)
 
 
 def test_an_outline_around_a_line_is_a_wall():
-    one = wall(piece_of(crown, wave=0.002))
+    one = wall(component_of(crown, wave=0.002))
     assert one is not None and one.form == "wall"
     verts, faces = one.mesh(0.06)
     found = health(verts, faces)
@@ -171,7 +171,7 @@ def notched(p):
 
 
 def test_the_front_of_a_wall_is_in_front():
-    assert farthest(wall(piece_of(notched)), notched) < 0.06
+    assert farthest(wall(component_of(notched)), notched) < 0.06
 
 
 def test_a_wall_within_another_is_none():
@@ -180,7 +180,7 @@ def test_a_wall_within_another_is_none():
         inner = np.maximum(np.abs(r - 0.4) - 0.1, np.abs(p[:, 2]) - 0.5)
         return np.minimum(inner, np.maximum(np.abs(r - 0.6) - 0.1, np.abs(p[:, 2] + 0.3) - 0.2))
 
-    assert wall(piece_of(two)) is None
+    assert wall(component_of(two)) is None
 
 
 def column(p):
@@ -189,7 +189,7 @@ def column(p):
 
 @pytest.mark.parametrize("distance", [arch, column, lambda p: np.linalg.norm(p, axis=1) - 0.5])
 def test_what_has_no_empty_middle_or_bulges_is_no_wall(distance):
-    assert wall(piece_of(distance)) is None
+    assert wall(component_of(distance)) is None
 
 
 def test_segments_are_the_runs_of_like_sections():
@@ -213,7 +213,7 @@ def test_ends_are_what_lies_across_the_axis():
     square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     turn = np.array([0.3, 0.2, 0.1])
     one = Primitive("layers", np.zeros(3), turn, packed([(0.0, 0.5, [square])]))
-    assert ends_share(one) == pytest.approx(2 / (2 + 4 * 0.5))
+    assert ends_fraction(one) == pytest.approx(2 / (2 + 4 * 0.5))
 
 
 def test_layers_as_numbers_and_back():

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 
 from core.benchmarks.bench_prior import known_nouns
 from core.errors import UserError
-from core.geometry.parts import pieces
+from core.geometry.parts import components
 from core.guidance.builtin import guidance as builtin
 from core.guidance.builtin.areas import SolidAreas
 from core.guidance.builtin.guidance import GEOMETRY_SLOTS
@@ -356,7 +356,7 @@ def test_a_marking_has_the_colour_that_is_said_of_it(prompt, part, color):
 def football():
     """One with red patches."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(pieces, "SEARCH", 40)
+        patch.setattr(components, "SEARCH", 40)
         patch.setattr(builtin, "SolidAreas", partial(SolidAreas, cells=40))
         prompted = shipped_prior().prompted("a soccer ball with red patches", "").of_object(0)
         return prompted, prompted.areas(), prompted.parts().boxes()[0]
@@ -377,7 +377,7 @@ def test_an_areas_border_is_as_sharp_as_the_marking(football):
 def test_a_marking_has_no_solid(football):
     """The network has learnt one, as a relief: it is not drawn."""
     prompted, _, _ = football
-    assert {piece.place.part for piece in prompted.parts().pieces} == {0}
+    assert {component.place.part for component in prompted.parts().components} == {0}
 
 
 def test_an_areas_colour_is_the_markings(football):

@@ -104,7 +104,7 @@ def test_health_sees_an_edge_of_three_faces():
     assert not report["manifold"]
 
 
-def test_health_sees_two_pieces_that_share_one_vertex():
+def test_health_sees_two_components_that_share_one_vertex():
     verts, faces = join(tetrahedron(), tetrahedron(-1.0))
     faces[faces == 4] = 0
     report = health(verts, faces)
@@ -148,7 +148,7 @@ def test_normalise_refuses_a_point():
         normalise(torch.ones(5, 3))
 
 
-def test_drop_floaters_keeps_the_large_outward_pieces():
+def test_drop_floaters_keeps_the_large_outward_components():
     void = tetrahedron(0.9, 0.03)
     parts = torus(), tetrahedron(0.05, 3.0), tetrahedron(1.5, 5.0), (void[0], void[1].flip(1))
     verts, faces = drop_floaters(*join(*parts), keep_ratio=0.05)

@@ -11,7 +11,7 @@ from core.texture.padding import nearest_covered, pad
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10**6), st.floats(0.02, 0.9))
-def test_nearest_is_the_slow_twin(seed: int, share: float) -> None:
+def test_nearest_is_the_slow_reference(seed: int, share: float) -> None:
     generator = torch.Generator().manual_seed(seed)
     covered = torch.rand(9, 13, generator=generator) < share
     covered[3, 4] = True

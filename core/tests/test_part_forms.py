@@ -41,7 +41,7 @@ def test_the_table_is_of_the_families_of_today(noun):
     assert asked.least_components(noun) == pytest.approx(forms.least, abs=0.02)
 
 
-def test_a_parts_least_piece_is_told_by_its_surface():
+def test_a_parts_least_component_is_told_by_its_surface():
     """Two shoes are alike, hair is one; of parts that are not there is none."""
     table = part_forms_table()["boy"].least
     looks = dict(zip(NOUNS["boy"].looks, table, strict=False))
@@ -96,7 +96,7 @@ def test_round_is_what_stays_where_it_is_when_turned_about_the_axis():
     assert not is_round(shape, corner, of_handle, z_axis[400:], 2).any()
 
 
-def test_each_piece_of_a_part_has_an_axis_of_its_own():
+def test_each_component_of_a_part_has_an_axis_of_its_own():
     ends = [(y, z) for y in (-0.5, 0.5) for z in (0.0, 0.1)]
     wheels = join(*(tube((-0.6, y, z), (-0.4, y, z), 0.3) for y, z in (ends[0], ends[3])))
     shape = Shape({"wheels": wheels}, *FRAME)

@@ -276,10 +276,10 @@ def test_a_hand_is_where_it_was_before_one_sat():
     torch.testing.assert_close(found / own.scale, expected / alone.scale)
 
 
-def test_one_who_sits_is_closed_and_of_one_piece_without_a_strut():
+def test_one_who_sits_is_closed_and_of_one_component_without_a_strut():
     parts = composed("a man sitting on a bench").parts()
     assert parts is not None
-    verts, faces = union([parts.surface_of(k) for k in range(len(parts.pieces))], strut=0.0)
+    verts, faces = union([parts.surface_of(k) for k in range(len(parts.components))], strut=0.0)
     assert health(verts, faces)["closed"] and component_labels(faces, len(verts))[0] == 1
 
 

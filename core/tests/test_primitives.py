@@ -1,4 +1,4 @@
-"""A piece's points tell the primitive that it is, and its mesh is that solid."""
+"""A component's points tell the primitive that it is, and its mesh is that solid."""
 
 import numpy as np
 import pytest

@@ -84,13 +84,13 @@ def test_each_wheel_comes_to_a_profile_about_its_own_lying_axis():
     assert (join(*wheels)(upright_instead).abs()).mean() > join(*wheels)(made).abs().mean()
 
 
-def test_pieces_are_told_apart_by_their_edges():
+def test_components_are_told_apart_by_their_edges():
     faces = np.array([[0, 1, 2], [2, 3, 4], [5, 6, 7]])
     found = connected(faces, np.array([1, 1, 0, 1, 1, 1, 1, 0], bool))
     assert sorted(np.flatnonzero(each).tolist() for each in found) == [[0, 1], [3, 4], [5, 6]]
 
 
-def test_pieces_on_one_axis_are_one_and_small_ones_join_where_there_is_no_other():
+def test_components_on_one_axis_are_one_and_small_ones_join_where_there_is_no_other():
     vase, faces = lumpy(VASE, 0.2)
     v, f = vase.double().numpy() / CELL, faces.numpy()
     band = np.abs(v[:, 2]) < 1.5  # a hoop parts the vase in two

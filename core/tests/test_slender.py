@@ -43,7 +43,7 @@ def test_a_blade_is_found_and_as_thin_as_it_is(parts):
     assert torch.allclose(high, HALF, rtol=0.02), high  # 0.05 as it is
     (extent,) = parts.extents()
     assert np.allclose(extent, 2 * HALF.numpy(), rtol=0.1)
-    (drawn,) = (parts.surface_of(k, exact=False)[0] for k in range(len(parts.pieces)))
+    (drawn,) = (parts.surface_of(k, exact=False)[0] for k in range(len(parts.components)))
     assert torch.allclose(drawn.amax(0), HALF, rtol=0.1)
 
 

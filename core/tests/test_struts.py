@@ -1,4 +1,4 @@
-"""Struts between pieces that stand apart: one closed solid, the strut where a mast would be."""
+"""Struts between components that stand apart: one closed solid, the strut where a mast would be."""
 
 import math
 from dataclasses import replace
@@ -38,7 +38,7 @@ def test_two_balls_apart_become_one_closed_solid_of_little_more_volume():
     assert 0 < after["volume"] - before["volume"] < thickest
 
 
-def test_what_is_in_one_piece_comes_back_as_it_is():
+def test_what_is_in_one_component_comes_back_as_it_is():
     whole = drawn(ball(0.0, 0.5))
     assert joined_by_struts(whole, GRID, KEEP) is whole
 
@@ -69,10 +69,10 @@ class TwoBalls(SdfNet):
         return torch.minimum(left, right) - 0.3, torch.zeros_like(points)
 
 
-@pytest.mark.parametrize(("join", "pieces"), [(True, 1), (False, 2)])
-def test_the_finished_mesh_is_joined_where_the_config_says_so(join, pieces):
+@pytest.mark.parametrize(("join", "components"), [(True, 1), (False, 2)])
+def test_the_finished_mesh_is_joined_where_the_config_says_so(join, components):
     verts, faces = final_mesh(TwoBalls(GRID.cell), GRID, replace(DRAFT.geometry, join=join))
-    assert health(verts, faces)["components"] == pieces
+    assert health(verts, faces)["components"] == components
 
 
 def test_a_sail_stands_on_the_middle_of_its_deck():

@@ -89,7 +89,7 @@ def slow_tangents(verts: Tensor, faces: Tensor, uv: Tensor, face_uvs: Tensor) ->
     return out
 
 
-def test_slow_twin() -> None:
+def test_slow_reference() -> None:
     """Seams, and a half whose uv are mirrored without a cut."""
     verts, faces = torus(10, 6)
     uv, face_uvs = torus_uv(10, 6)

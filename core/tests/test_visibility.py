@@ -11,7 +11,8 @@ from core.render.rasterizer import to_clip
 from core.render.visibility import on_near_plane, to_screen, visibility
 from core.tests.meshes import sphere, torus
 
-# Askew, so that no edge of the symmetric shapes runs through pixel centres, where twins may differ.
+# Askew, so that no edge of the symmetric shapes runs through pixel centres, where two
+# implementations may differ.
 CAMERAS = Cameras.orbit([7.0, 53.0, 201.0], [4.0, 31.0, 84.0])
 
 
@@ -22,7 +23,7 @@ def back_end(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
         monkeypatch.setattr(kernels, "supports", lambda *_: False)
 
 
-def slow_twin(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool) -> Tensor:
+def slow_reference(clip: Tensor, faces: Tensor, height: int, width: int, cull: bool) -> Tensor:
     """Every pixel against every face, homogeneous (no clipping), in float64."""
     out = torch.full((len(clip), height, width), -1)
     for b, vertices in enumerate(clip.double()):
@@ -59,11 +60,11 @@ def random_soup(seed: int, count: int, size: float) -> tuple[Tensor, Tensor]:
     ("name", "mesh"),
     [("ball", sphere(2)), ("ring", torus(16, 8)), ("soup", random_soup(0, 40, 0.3))],
 )
-def test_equals_slow_twin(name: str, mesh: tuple[Tensor, Tensor], cull: bool) -> None:
+def test_equals_slow_reference(name: str, mesh: tuple[Tensor, Tensor], cull: bool) -> None:
     clip = to_clip(mesh[0], CAMERAS.mvp)
     for height, width in ((16, 16), (9, 20)):
         ours = visibility(clip, mesh[1], height, width, cull)
-        theirs = slow_twin(clip, mesh[1], height, width, cull)
+        theirs = slow_reference(clip, mesh[1], height, width, cull)
         assert (theirs >= 0).any()
         assert torch.equal(ours, theirs), name
 
@@ -76,7 +77,7 @@ def test_faces_that_reach_behind_the_camera_are_cut(cull: bool) -> None:
     behind = clip[..., 2] < -clip[..., 3]
     assert set(behind[:, faces].sum(-1).unique().tolist()) == {0, 1, 2, 3}
     ours = visibility(clip, faces, 16, 16, cull)
-    assert torch.equal(ours, slow_twin(clip, faces, 16, 16, cull))
+    assert torch.equal(ours, slow_reference(clip, faces, 16, 16, cull))
 
 
 def test_cut_is_the_same_from_both_neighbours() -> None:

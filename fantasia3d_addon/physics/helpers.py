@@ -23,8 +23,8 @@ def made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
     if not (token := token_of(obj)):  # of an earlier version, whose helpers have the name
         return [o for o in helpers if o[MARK] == obj.name]
     # A copy has the token too, and a name that comes later: "chair.001".
-    twins = [o for o in bpy.data.objects if token_of(o) == token]
-    original = next((o for o in twins if o.name == o[MARK]["name"]), twins[0])
+    copies = [o for o in bpy.data.objects if token_of(o) == token]
+    original = next((o for o in copies if o.name == o[MARK]["name"]), copies[0])
     return [o for o in helpers if o[MARK] == token] if obj == original else []
 
 

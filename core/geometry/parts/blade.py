@@ -1,4 +1,4 @@
-"""The blade that a piece is: a lozenge across, that comes to a point.
+"""The blade that a component is: a lozenge across, that comes to a point.
 
 By least squares (:mod:`core.geometry.parts.fitting`): a network rounds thin edges off, and the
 sides tell where they meet.
@@ -9,7 +9,7 @@ from jaxtyping import Float
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
-from core.geometry.parts.pieces import Piece, points_of
+from core.geometry.parts.components import Component, points_of
 from core.geometry.parts.primitives import FRAMES, Points, Primitive
 
 LONG = 1.5  # times as long as wide, at least
@@ -20,17 +20,17 @@ ENDS = 4.0  # points' worth, of where the points end
 WIDER, STEEPER, SLIMMER = 3.0, 5.0, 8.0  # times, at most, than to begin with
 
 
-def blade(piece: Piece) -> Primitive | None:
-    """The blade along the piece's longest axis, up or down, that is nearest to it; None for what
+def blade(component: Component) -> Primitive | None:
+    """The blade along the component's longest axis, up or down, that is nearest to it; None if it
     is hardly longer than wide."""
-    size = np.ptp(piece.verts.double().numpy(), axis=0)
+    size = np.ptp(component.verts.double().numpy(), axis=0)
     axis = int(size.argmax())
     if size[axis] < LONG * np.delete(size, axis).max():
         return None
-    frame, points = FRAMES[(2 - axis) % 3], points_of(piece)
+    frame, points = FRAMES[(2 - axis) % 3], points_of(component)
     ways = (frame, frame @ np.diag([1.0, -1.0, -1.0]))
-    found = [_fitted(points, way, piece.error) for way in ways]
-    return min(found, key=lambda one: one.off(points, piece.error))
+    found = [_fitted(points, way, component.error) for way in ways]
+    return min(found, key=lambda one: one.off(points, component.error))
 
 
 def _fitted(points: Points, frame: Float[np.ndarray, "3 3"], error: float) -> Primitive:

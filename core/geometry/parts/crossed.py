@@ -10,8 +10,8 @@ import torch
 from scipy.spatial.transform import Rotation
 
 from core.geometry.init_shape import sample_surface
+from core.geometry.parts.components import FITTED, Component, points_of
 from core.geometry.parts.layered import even_layers
-from core.geometry.parts.pieces import FITTED, Piece, points_of
 from core.geometry.parts.primitives import (
     FORMS,
     FRAMES,
@@ -25,20 +25,20 @@ from core.geometry.parts.primitives import (
 MORE = 0.02  # of the surface, which a layer has to cover
 
 
-def crossed(piece: Piece) -> Primitive | None:
-    """The layers that a piece is of, along the coordinate axes; None where they leave much out."""
-    found = [(axis, one) for axis in range(len(FRAMES)) for one in _layers(piece, axis)]
+def crossed(component: Component) -> Primitive | None:
+    """The component's layers along the coordinate axes; None where they leave much out."""
+    found = [(axis, one) for axis in range(len(FRAMES)) for one in _layers(component, axis)]
     if len(found) < 2:
         return None
-    points = points_of(piece)
+    points = points_of(component)
     off = np.stack([one.at(points) for _, one in found])
     nearest, covered, used = np.full(len(points), np.inf), 0.0, []
     while len(used) < len(found):
-        shares = (np.abs(np.minimum(nearest, off)) < piece.error / 2).mean(1)
-        best = int(shares.argmax())
-        if shares[best] < covered + MORE:
+        fractions = (np.abs(np.minimum(nearest, off)) < component.error / 2).mean(1)
+        best = int(fractions.argmax())
+        if fractions[best] < covered + MORE:
             break
-        nearest, covered = np.minimum(nearest, off[best]), shares[best]
+        nearest, covered = np.minimum(nearest, off[best]), fractions[best]
         used.append(best)
     along: list[list[Layer]] = [[] for _ in FRAMES]
     for axis, one in (found[k] for k in used):
@@ -48,20 +48,20 @@ def crossed(piece: Piece) -> Primitive | None:
     return Primitive("crossed", np.zeros(3), np.zeros(3), packed_along(along))
 
 
-def _layers(piece: Piece, axis: int) -> list[Primitive]:
-    """The even layers along one of the ``FRAMES``, each by itself, which stay within the piece."""
+def _layers(component: Component, axis: int) -> list[Primitive]:
+    """The even layers along one of the ``FRAMES``, each by itself, if within the component."""
     frame = FRAMES[axis]
-    lattice, turn = piece.lattice.along(frame), Rotation.from_matrix(frame).as_rotvec()
-    found = even_layers(lattice, piece, lambda verts: verts @ frame)
+    lattice, turn = component.lattice.along(frame), Rotation.from_matrix(frame).as_rotvec()
+    found = even_layers(lattice, component, lambda verts: verts @ frame)
     each = [Primitive("layers", np.zeros(3), turn, packed([layer])) for layer in found if layer]
-    return [one for one in each if _is_within(one, piece)]
+    return [one for one in each if _is_within(one, component)]
 
 
-def _is_within(one: Primitive, piece: Piece) -> bool:
-    """Whether none of its surface is out of the piece by more than what is drawn may be."""
-    verts, faces = one.mesh(piece.cell)
+def _is_within(one: Primitive, component: Component) -> bool:
+    """Whether none of its surface is out of the component by more than what is drawn may be."""
+    verts, faces = one.mesh(component.cell)
     if not len(faces):
         return False
     points = sample_surface(verts, faces, FITTED, torch.Generator().manual_seed(0))
-    out = piece.lattice.near(points.double().numpy()) / piece.error
-    return all((out < by).mean() >= share for by, share in FORMS[one.form].drawn)
+    out = component.lattice.near(points.double().numpy()) / component.error
+    return all((out < by).mean() >= fraction for by, fraction in FORMS[one.form].drawn)

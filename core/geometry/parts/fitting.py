@@ -1,4 +1,4 @@
-"""The simple solid that a piece is, up to its errors: fitted to points of its surface.
+"""The simple solid that a component is, up to its errors: fitted to points of its surface.
 
 By least squares in a trust region (Branch, Coleman and Li 1999), robustly (soft L1).
 """
@@ -33,8 +33,8 @@ TUBE = 0.75  # of a ring's radius, at most, its tube's
 
 
 class Faces(NamedTuple):
-    """What is known of a piece beforehand. Points do not tell it of what is hardly larger than the
-    errors."""
+    """What is known of a component beforehand. Its points do not show it where it is hardly larger
+    than the errors."""
 
     flat: bool = True  # whether it may have flat faces, more than the ends of a rod
     block: bool = False  # whether it is mostly flat, if it can be
@@ -62,8 +62,8 @@ def _primitive_of(
         return one.off(points, error)
 
     def covered(one: Primitive) -> bool:
-        share = _flat_share(one)
-        return (flat or share < ENDS) and share >= flattest and _covered(one, points, error)
+        fraction = _flat_fraction(one)
+        return (flat or fraction < ENDS) and fraction >= flattest and _covered(one, points, error)
 
     best, limit = None, np.inf
     gain = TURNED_GAIN  # of what lies along the coordinate axes
@@ -135,7 +135,7 @@ def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primiti
             yield Primitive("ring", center, turn, np.array([radius - height, height]))
 
 
-def _flat_share(one: Primitive) -> float:
+def _flat_fraction(one: Primitive) -> float:
     """The fraction of the surface that is flat."""
     if one.form != "frustum":
         return float(one.form == "box")

@@ -1,4 +1,4 @@
-"""Faces of boxes that were meant to lie in one plane, such as a seat's side and its back's, do."""
+"""Box faces that were meant to be in one plane are moved into it: a seat's side and its back's."""
 
 import itertools
 
@@ -13,10 +13,10 @@ OVER = 0.5  # of the smaller face, what lies upon the other: a pane on its wall 
 UPRIGHT = 1e-6  # of a cosine: along the coordinate axes
 
 
-def flush(pieces: list[Primitive | None]) -> list[Primitive | None]:
-    """The pieces, with the faces of sharp boxes along the axes that nearly lie in one plane, and
-    look to one side, in their mean plane."""
-    upright = {k: one for k, one in enumerate(pieces) if one is not None and is_upright(one)}
+def flush(components: list[Primitive | None]) -> list[Primitive | None]:
+    """The components; faces of sharp boxes along the axes that look to one side and are nearly in
+    one plane are moved into their mean plane."""
+    upright = {k: one for k, one in enumerate(components) if one is not None and is_upright(one)}
     ends = {k: ends_of(one) for k, one in upright.items()}
     made = {k: corners.copy() for k, corners in ends.items()}
     for side, axis in itertools.product(range(2), range(3)):
@@ -26,7 +26,9 @@ def flush(pieces: list[Primitive | None]) -> list[Primitive | None]:
             place = np.average([ends[k][side, axis] for k in group], weights=areas)
             for k in group:
                 made[k][side, axis] = place
-    return [_between(upright[k], made[k]) if k in upright else one for k, one in enumerate(pieces)]
+    return [
+        _between(upright[k], made[k]) if k in upright else one for k, one in enumerate(components)
+    ]
 
 
 def is_upright(one: Primitive) -> bool:

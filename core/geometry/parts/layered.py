@@ -1,8 +1,8 @@
 """What is flat outlines one upon another along an axis: an arch, a saw, a shelf with its back.
 
-The sections through a layer say the same, each with errors of its own: their mean has less. Where
-one layer ends and the next begins is told by dynamic programming, as for a signal that is constant
-in pieces (Jackson et al. 2005, "An algorithm for optimal partitioning of data on an interval").
+The sections through a layer agree, each with errors of its own: their mean has less. Where
+one layer ends and the next begins is found by dynamic programming, as for a signal that is constant
+in components (Jackson et al. 2005, "An algorithm for optimal partitioning of data on an interval").
 """
 
 import itertools
@@ -15,65 +15,67 @@ from scipy.spatial.transform import Rotation
 
 from core.geometry.faces import areas_and_normals
 from core.geometry.lattice import FAR, Lattice
+from core.geometry.parts.components import Component
 from core.geometry.parts.outline import even, level, outline
-from core.geometry.parts.pieces import Piece
 from core.geometry.parts.primitives import Layer, Points, Primitive, along_axes, packed, unrolled
 
 MOST = 4  # layers
 DEAR = 0.12  # of the nodes near the surface: what a layer more has to explain
 BLURRED = 4  # nodes that a layer is high, from which its first and last do not count
 DRIFT = 0.7  # cells: what its outline moves by more is no layer
-FINER = 2  # times, an outline's lattice than the piece's
+FINER = 2  # times, an outline's lattice than the component's
 FACING = 0.9  # cosine between a step and the axis
 ACROSS = 0.99  # cosine between an end and the axis
 NEAR = 1.5  # errors between where a step may be and where its faces are
 
 
-def layered(piece: Piece, frame: Float[np.ndarray, "3 3"]) -> Primitive | None:
-    """The layers along a frame's last axis that a piece is of; None where it is not of layers, or
-    of more than ``MOST``."""
-    found = layers_of(piece.lattice.along(frame), piece, lambda verts: verts @ frame)
+def layered(component: Component, frame: Float[np.ndarray, "3 3"]) -> Primitive | None:
+    """The component's layers along a frame's last axis; None where it has none, or more than
+    ``MOST``."""
+    found = layers_of(component.lattice.along(frame), component, lambda verts: verts @ frame)
     turn = Rotation.from_matrix(frame).as_rotvec()
     return Primitive("layers", np.zeros(3), turn, packed(found)) if found else None
 
 
-def wall(piece: Piece) -> Primitive | None:
-    """The outline that a piece is around the vertical line through its middle, all through its
+def wall(component: Component) -> Primitive | None:
+    """The outline that a component is around the vertical line through its middle, all through its
     thickness: a crown's; None where it is none, as where that line is not empty."""
-    center = piece.middle.double().numpy() * (1, 1, 0)
-    radius = float(np.hypot(*(piece.verts.double().numpy() - center)[:, :2].T).mean())
-    flat = piece.lattice.around(center, radius)
+    center = component.middle.double().numpy() * (1, 1, 0)
+    radius = float(np.hypot(*(component.verts.double().numpy() - center)[:, :2].T).mean())
+    flat = component.lattice.around(center, radius)
     if (flat.values[:, :, :2] < 0).any():
         return None
-    found = layers_of(flat, piece, lambda verts: unrolled(verts - center, radius))
+    found = layers_of(flat, component, lambda verts: unrolled(verts - center, radius))
     lengths = np.append(radius, packed(found))
     return Primitive("wall", center, np.zeros(3), lengths) if len(found) == 1 else None
 
 
-def layers_of(lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]) -> list[Layer]:
+def layers_of(
+    lattice: Lattice, component: Component, placed: Callable[[Points], Points]
+) -> list[Layer]:
     """Those along the lattice's last axis; none where what is there is not of layers.
 
-    ``placed``: the piece's vertices where the lattice has them.
+    ``placed``: the component's vertices where the lattice has them.
     """
-    found = list(even_layers(lattice, piece, placed))
+    found = list(even_layers(lattice, component, placed))
     whole = [layer for layer in found if layer is not None]
     if len(whole) < len(found) or len(found) > MOST:
         return []
-    level([loop for *_, loops in whole for loop in loops], piece.error)
+    level([loop for *_, loops in whole for loop in loops], component.error)
     return whole
 
 
 def even_layers(
-    lattice: Lattice, piece: Piece, placed: Callable[[Points], Points]
+    lattice: Lattice, component: Component, placed: Callable[[Points], Points]
 ) -> Iterator[Layer | None]:
     """What there is along the lattice's last axis, each as a layer; None where it is none."""
     sections = np.clip(np.moveaxis(lattice.values, 2, 0) / lattice.cell, -FAR, FAR)
     starts = segments(sections.clip(-1, 1))
-    verts, faces = placed(piece.verts.double().numpy()), piece.faces.numpy()
+    verts, faces = placed(component.verts.double().numpy()), component.faces.numpy()
     area, normal = areas_and_normals(verts, faces)
     steps = np.stack([verts[faces][..., 2].mean(1), area * (np.abs(normal[:, 2]) > FACING)])
     ends = [
-        step_at(lattice.low[2] + (k - 0.5) * lattice.cell, *steps, NEAR * piece.error)
+        step_at(lattice.low[2] + (k - 0.5) * lattice.cell, *steps, NEAR * component.error)
         for k in starts
     ]
     for (first, last), (low, high) in zip(
@@ -89,12 +91,12 @@ def even_layers(
             continue
         finer = ndimage.zoom(mean, FINER) * lattice.cell
         step = lattice.cell * (len(mean) - 1) / (len(finer) - 1)
-        loops = outline(even(finer, piece.error), lattice.low[:2], step, piece.error)
+        loops = outline(even(finer, component.error), lattice.low[:2], step, component.error)
         if loops:
             yield low, high, loops
 
 
-def ends_share(layers: Primitive) -> float:
+def ends_fraction(layers: Primitive) -> float:
     """The fraction of the layers' surface that lies across their axis, or axes."""
     verts, faces = layers.mesh(np.inf)
     area, normal = areas_and_normals(verts.double().numpy() @ layers.frame, faces.numpy())

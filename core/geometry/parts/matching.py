@@ -1,4 +1,4 @@
-"""The primitive of each piece, those that are alike together: a table has one leg four times."""
+"""The primitive of each component, similar ones fitted together: a table has one leg four times."""
 
 from collections.abc import Sequence
 
@@ -9,72 +9,80 @@ from jaxtyping import Float
 from core.geometry.faces import unit
 from core.geometry.init_shape import sample_surface
 from core.geometry.mesh import face_areas
+from core.geometry.parts.components import FITTED, Component, Distances, points_of
 from core.geometry.parts.fitting import ANY, Faces, primitive_of
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import FITTED, Distances, Piece, points_of
 from core.geometry.parts.primitives import FORMS, Points, Primitive
 
-ALIKE = 1.25  # times the area of the least of pieces that may be the same
+SIMILAR = 1.25  # times the area of the least of components that may be the same
 STANDS_OUT = 2.5  # errors
-SLACK, MANY = 1.6, 3  # of the errors, for what so many pieces say together
+SLACK, MANY = 1.6, 3  # of the errors, where so many components agree
 
 
-def matched(distances: Distances, pieces: list[Piece], forms: Forms) -> list[Primitive | None]:
-    """The primitive that each piece is. Pieces of a part that are as large are fitted together, as
-    they are, or as mirrored, or as turned about the vertical, and each where none of these fits.
+def matched(
+    distances: Distances, components: list[Component], forms: Forms
+) -> list[Primitive | None]:
+    """The primitive that each component is. Components of a part of one size are fitted together,
+    as they are, mirrored or turned about the vertical; each by itself where none of these fits.
 
-    What a part's forms say it has no flat faces of is no box and no disc: a stripe around a tiger's
-    tail was a block, a panda's eyes were discs. What they say is mostly flat is one, if it
+    A part whose forms have no flat faces is no box and no disc: a stripe around a tiger's
+    tail was a block, a panda's eyes were discs. A part that is mostly flat is one, if it
     can be: a nightstand's drawer was a roll.
     """
-    points = [points_of(piece) for piece in pieces]
-    found: list[Primitive | None] = [None] * len(pieces)
-    for group in alike(pieces):
-        part = pieces[group[0]].place.part
+    points = [points_of(component) for component in components]
+    found: list[Primitive | None] = [None] * len(components)
+    for group in similar_groups(components):
+        part = components[group[0]].place.part
         faces = forms.faces(part)
-        some = [pieces[k] for k in group], [points[k] for k in group]
+        some = [components[k] for k in group], [points[k] for k in group]
         pairs = list(zip(group, fitted_together(*some, faces), strict=True))
         slack = slack_of(len(group))
-        if not all(one and is_drawn(distances, one, pieces[k], slack) for k, one in pairs):
-            pairs = [(k, one_drawn(distances, pieces[k], points[k], faces)) for k in group]
+        if not all(one and is_drawn(distances, one, components[k], slack) for k, one in pairs):
+            pairs = [(k, one_drawn(distances, components[k], points[k], faces)) for k in group]
         for k, one in pairs:
             found[k] = one.sharp() if one else None
     return found
 
 
 def is_same(one: Primitive | None, other: Primitive | None) -> bool:
-    """Whether two pieces were fitted together."""
+    """Whether two components were fitted together."""
     return bool(one and other) and np.array_equal(one.lengths, other.lengths)
 
 
-def one_drawn(distances: Distances, piece: Piece, points: Points, faces: Faces) -> Primitive | None:
-    """The primitive that a piece is by itself, where it was drawn; no block, if that was not."""
+def one_drawn(
+    distances: Distances, component: Component, points: Points, faces: Faces
+) -> Primitive | None:
+    """A component's own primitive, if it was drawn there; no block, if that was not."""
     for known in (faces, faces._replace(block=False, sharp=False))[: 1 + faces.block]:
-        one = primitive_of(points, piece.error, known)
-        if one is not None and is_drawn(distances, one, piece):
+        one = primitive_of(points, component.error, known)
+        if one is not None and is_drawn(distances, one, component):
             return one
     return None
 
 
-def is_drawn(distances: Distances, one: Primitive, piece: Piece, slack: float = 1.0) -> bool:
-    """Whether the whole surface of a primitive is about where the piece is drawn, and nothing of
-    the piece stands far out of it: a fountain's jet is few points of its water."""
-    if float(one.distance(piece.verts).abs().max()) > STANDS_OUT * slack * piece.error:
+def is_drawn(
+    distances: Distances, one: Primitive, component: Component, slack: float = 1.0
+) -> bool:
+    """Whether the whole surface of a primitive is about where the component is drawn, and nothing
+    of the component reaches far out of it: a fountain's jet is few points of its water."""
+    if float(one.distance(component.verts).abs().max()) > STANDS_OUT * slack * component.error:
         return False
     generator = torch.Generator().manual_seed(0)
-    points = sample_surface(*one.mesh(piece.cell), FITTED, generator)
-    off = distances(points)[:, piece.place.part].abs() / (slack * piece.error)
-    return all(float((off < by).float().mean()) >= share for by, share in FORMS[one.form].drawn)
+    points = sample_surface(*one.mesh(component.cell), FITTED, generator)
+    off = distances(points)[:, component.place.part].abs() / (slack * component.error)
+    return all(
+        float((off < by).float().mean()) >= fraction for by, fraction in FORMS[one.form].drawn
+    )
 
 
-def alike(pieces: list[Piece]) -> list[list[int]]:
-    """The pieces by part and area."""
-    area = [float(face_areas(piece.verts, piece.faces).sum()) for piece in pieces]
+def similar_groups(components: list[Component]) -> list[list[int]]:
+    """The components by part and area."""
+    area = [float(face_areas(component.verts, component.faces).sum()) for component in components]
     groups: list[list[int]] = []
-    for k in sorted(range(len(pieces)), key=lambda k: (pieces[k].place.part, area[k])):
+    for k in sorted(range(len(components)), key=lambda k: (components[k].place.part, area[k])):
         least = groups[-1][0] if groups else k
-        same_part = pieces[least].place.part == pieces[k].place.part
-        if groups and same_part and area[k] < ALIKE * area[least]:
+        same_part = components[least].place.part == components[k].place.part
+        if groups and same_part and area[k] < SIMILAR * area[least]:
             groups[-1].append(k)
         else:
             groups.append([k])
@@ -82,17 +90,17 @@ def alike(pieces: list[Piece]) -> list[list[int]]:
 
 
 def slack_of(count: int) -> float:
-    """How much worse than one alone so many pieces may be of one primitive: a table's legs."""
+    """How much worse than one alone so many components may be of one primitive: a table's legs."""
     return SLACK if count >= MANY else 1.0
 
 
 def fitted_together(
-    pieces: list[Piece], points: list[Float[np.ndarray, "n 3"]], faces: Faces = ANY
+    components: list[Component], points: list[Float[np.ndarray, "n 3"]], faces: Faces = ANY
 ) -> Sequence[Primitive | None]:
     """One primitive for all, each at its place; Nones where it does not fit all."""
-    if len(pieces) > 1:
-        error = slack_of(len(pieces)) * pieces[0].error
-        middles = [piece.middle.double().numpy() for piece in pieces]
+    if len(components) > 1:
+        error = slack_of(len(components)) * components[0].error
+        middles = [component.middle.double().numpy() for component in components]
         for placed in (unturned, mirrored, around):
             frames = [placed(middle) for middle in middles]
             local = [(p - m) @ f for p, m, f in zip(points, middles, frames, strict=True)]

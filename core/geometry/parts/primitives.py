@@ -1,4 +1,4 @@
-"""Simple solids, of which most pieces of things are one: a box, a ball, a wheel, a leg, a board.
+"""Simple solids. Most components of things are one: a box, a ball, a wheel, a leg, a board.
 
 Where one fits (:mod:`core.geometry.parts.fitting`, :mod:`core.geometry.parts.layered`), it takes
 the place of what was drawn, and has its edges, its roundness and its symmetry.
@@ -195,9 +195,10 @@ class Form(NamedTuple):
     distance: Callable[[Points, Lengths], Float[np.ndarray, " n"]]
     same: tuple[tuple[int, ...], ...] = ()  # lengths that are often the same
     rims: bool = False  # whether the last length rounds its edges
-    # How far points of it are off in the mean, in errors, at most; least share within half an error
+    # How far points of it are off in the mean, in errors, at most; least fraction within half an
+    # error
     fits: tuple[float, float] = (0.22, 0.93)
-    # Within so many errors of what is drawn lies so much of its surface, at least.
+    # Within so many errors of what is drawn is at least such a fraction of its surface.
     drawn: tuple[tuple[float, float], ...] = ((0.6, 0.9), (1.2, 0.985))
 
 

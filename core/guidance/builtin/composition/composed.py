@@ -17,8 +17,8 @@ from core.appearance.material_ranges import MaterialRanges
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.components import Component
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import Piece
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged
@@ -232,23 +232,23 @@ class ComposedParts(KnownParts):
         super().__init__(self._distances, Forms(flat, around, cornered))
 
     @cached_property
-    def pieces(self) -> list[Piece]:
-        """The pieces of each copy, with part numbers of the whole."""
+    def components(self) -> list[Component]:
+        """The components of each copy, with part numbers of the whole."""
         found = []
         for (parts, places), start in zip(self.placed, self.starts, strict=True):
-            for piece in parts.pieces * len(places):
-                place = piece.place._replace(part=piece.place.part + start)
-                found.append(piece._replace(place=place))
+            for component in parts.components * len(places):
+                place = component.place._replace(part=component.place.part + start)
+                found.append(component._replace(place=place))
         return found
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
-        """The surface of a piece in its place."""
+        """The surface of a component in its place."""
         for parts, places in self.placed:
             for place in places:
-                if index < len(parts.pieces):
+                if index < len(parts.components):
                     verts, faces = parts.surface_of(index, exact)
                     return place.out(verts), faces
-                index -= len(parts.pieces)
+                index -= len(parts.components)
         raise IndexError(index)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:

@@ -17,7 +17,7 @@ from core.appearance.material_ranges import MaterialRanges
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
-from core.geometry.parts.pieces import Piece
+from core.geometry.parts.components import Component
 from core.geometry.union import Region, clipped
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.placement import Body, Placement
@@ -149,12 +149,12 @@ class PosedParts(KnownParts):
         self._cut_off: dict[tuple[int, int, bool], tuple[Tensor, Tensor]] = {}
 
     @cached_property
-    def pieces(self) -> list[Piece]:
-        """Each piece's fraction in each bone, in the rest pose."""
-        return [self.rest.pieces[index] for index, _ in self._cut]
+    def components(self) -> list[Component]:
+        """Each component's fraction in each bone, in the rest pose."""
+        return [self.rest.components[index] for index, _ in self._cut]
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
-        """A bone's part of a piece's surface."""
+        """A bone's part of a component's surface."""
         return self._of_bone(*self._cut[index], exact)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
@@ -163,16 +163,18 @@ class PosedParts(KnownParts):
 
     @cached_property
     def _cut(self) -> list[tuple[int, int]]:
-        """The pieces and their bones."""
+        """The components and their bones."""
         bones = range(len(self.pose.bones))
-        pairs = [(k, bone) for k in range(len(self.rest.pieces)) for bone in bones]
+        pairs = [(k, bone) for k in range(len(self.rest.components)) for bone in bones]
         return [pair for pair in pairs if len(self._of_bone(*pair, exact=True)[1])]
 
-    def _of_bone(self, piece: int, index: int, exact: bool) -> tuple[Tensor, Tensor]:
-        key = (piece, index, exact)
+    def _of_bone(self, component: int, index: int, exact: bool) -> tuple[Tensor, Tensor]:
+        key = (component, index, exact)
         if key not in self._cut_off:
             bone = self.pose.bones[index]
-            verts, faces = clipped(self.rest.surface_of(piece, exact), bone.regions, bone.within)
+            verts, faces = clipped(
+                self.rest.surface_of(component, exact), bone.regions, bone.within
+            )
             self._cut_off[key] = bone.place.out(verts), faces
         return self._cut_off[key]
 

@@ -113,20 +113,20 @@ def window_on(
 def surface_places(
     parts: KnownParts,
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Int[np.ndarray, " n"]]:
-    """Places on the exact surfaces of all pieces, their normals and parts."""
+    """Places on the exact surfaces of all components, their normals and parts."""
     import trimesh  # takes half a second; needed only for things with emblems
 
     meshes = [
-        trimesh.Trimesh(*parts.surface_of(k), process=False) for k in range(len(parts.pieces))
+        trimesh.Trimesh(*parts.surface_of(k), process=False) for k in range(len(parts.components))
     ]
     whole = sum(mesh.area for mesh in meshes)
     found, normals, of = [], [], []
-    for piece, mesh in zip(parts.pieces, meshes, strict=True):
+    for component, mesh in zip(parts.components, meshes, strict=True):
         count = max(int(SAMPLES * mesh.area / whole), 1)
         places, faces = trimesh.sample.sample_surface(mesh, count, seed=0)[:2]
         found.append(places)
         normals.append(mesh.face_normals[faces])
-        of.append(np.full(len(places), piece.place.part))
+        of.append(np.full(len(places), component.place.part))
     return np.concatenate(found), np.concatenate(normals), np.concatenate(of)
 
 

@@ -1,4 +1,4 @@
-"""The pieces of parts: where each is, its surface as it is drawn, and how it repeats itself."""
+"""The components of parts: where each is, its surface as it is drawn, and how it repeats itself."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -17,26 +17,27 @@ from core.geometry.parts.primitives import Primitive
 from core.geometry.sdf_net import surface
 from core.geometry.tet_grid import EXTENT, tet_grid
 
-SEARCH = 72  # cubes along an edge of the lattice that finds the pieces
+SEARCH = 72  # cubes along an edge of the lattice that finds the components
 BOARD = 0.25  # of its cell: a thin board between two nodes is found by what is so near to it
-LEAST_NODES = 4  # of a piece
+LEAST_NODES = 4  # of a component
 # Nodes between which the tetrahedral lattice has an edge.
 JOINED = np.zeros((3, 3, 3), bool)
 JOINED[:2, :2, :2] = JOINED[1:, 1:, 1:] = True
-ALSO = 0.25  # of the largest one's nodes, a piece's that is joined to it on the first lattice alone
-BRIDGE, SHORT = 0.4, 2.0  # errors: half as thick as a bridge is at most, and how far from a piece
-MARGIN = 1.6  # of its cell, around a piece
-# What the network leaves to be made exact is of about this size, and less on small pieces; in
-# twelfths of the piece's longest side.
-ERROR, ERROR_SHARE = (0.02, 0.04), 1 / 12
-CELLS = 1.6  # of the piece's own lattice, to such an error
-MOST_CELLS = 72  # along the piece's longest side
+# Fraction of the largest one's nodes that a component has which only the first lattice joins to it.
+ALSO = 0.25
+BRIDGE, SHORT = 0.4, 2.0  # errors: a bridge's half thickness at most, its distance to a component
+MARGIN = 1.6  # of its cell, around a component
+# The network's errors are of about this size, and smaller on small components: a twelfth of the
+# component's longest side.
+ERROR, ERROR_FRACTION = (0.02, 0.04), 1 / 12
+CELLS = 1.6  # of the component's own lattice, to such an error
+MOST_CELLS = 72  # along the component's longest side
 POLISH = 2  # rounds
-TURNS, TURNED = 12, 500  # by which a piece is turned about its middle, vertices that are
+TURNS, TURNED = 12, 500  # by which a component is turned about its middle, vertices that are
 TURNED_OFF = 0.5  # errors off the surface, of what is the same all around
-TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a piece may repeat itself around an axis
-REPEATED = 0.94  # the least share of its surface that does
-FITTED = 400  # points of a piece's surface, which tell its primitive
+TIMES = (8, 7, 6, 5, 4, 3, 2)  # that a component may repeat itself around an axis
+REPEATED = 0.94  # the least fraction of its surface that does
+FITTED = 400  # points of a component's surface that its primitive is fitted to
 
 Mesh = tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]
 Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
@@ -44,7 +45,7 @@ Elsewhere = Callable[[Float[Tensor, "n 3"]], Tensor]
 
 
 class Place(NamedTuple):
-    """Where one connected piece of a part is."""
+    """Where one connected component of a part is."""
 
     part: int
     low: Float[np.ndarray, " 3"]  # of the box around it, with a margin
@@ -52,8 +53,8 @@ class Place(NamedTuple):
     others: Elsewhere  # whether a place is of another of the part's
 
 
-class Piece(NamedTuple):
-    """One connected piece of a part, as it is drawn."""
+class Component(NamedTuple):
+    """One connected component of a part, as it is drawn."""
 
     place: Place
     verts: Float[Tensor, "v 3"]
@@ -75,7 +76,7 @@ class Piece(NamedTuple):
 
 
 def places_of(distances: Distances, parts: int) -> Iterator[Place]:
-    """The connected pieces of each part, found on one lattice."""
+    """The connected components of each part, found on one lattice."""
     cell = 2 * EXTENT / SEARCH
     side = torch.linspace(-EXTENT, EXTENT, SEARCH + 1)
     nodes = torch.stack(torch.meshgrid(side, side, side, indexing="ij"), -1)
@@ -95,8 +96,8 @@ def places_of(distances: Distances, parts: int) -> Iterator[Place]:
 def _elsewhere(
     labels: Int[np.ndarray, "n m k"], mine: int, cell: float, low: Float[np.ndarray, " 3"]
 ) -> Elsewhere:
-    """Whether places are in another labelled piece than ``mine``, by the nearest node of a lattice
-    from ``low`` on."""
+    """Whether places are in another labelled component than ``mine``, by the nearest node of a
+    lattice from ``low`` on."""
     table = torch.from_numpy((labels != 0) & (labels != mine))
     last = torch.tensor(table.shape) - 1
 
@@ -107,8 +108,8 @@ def _elsewhere(
     return at
 
 
-def drawn_in(distances: Distances, place: Place) -> Iterator[Piece]:
-    """The pieces at a place: mostly one, or those that only the lattice of all pieces joins."""
+def drawn_in(distances: Distances, place: Place) -> Iterator[Component]:
+    """The components at a place: mostly one, or several that only the common lattice joins."""
     whole = drawn_at(distances, place)
     if whole is None:
         return
@@ -120,10 +121,10 @@ def drawn_in(distances: Distances, place: Place) -> Iterator[Piece]:
         yield from drawn_in(distances, one)  # on a finer lattice more come apart
 
 
-def _places_within(piece: Piece) -> Iterator[Place]:
-    """Where the lattice of the piece's surface has pieces of about its size, each apart."""
-    part, lattice = piece.place.part, piece.lattice
-    labels = _labelled(piece)
+def _places_within(component: Component) -> Iterator[Place]:
+    """Where the lattice of the component's surface has components of about its size, each apart."""
+    part, lattice = component.place.part, component.lattice
+    labels = _labelled(component)
     nodes = np.bincount(labels.ravel())[1:]
     for index, where in enumerate(ndimage.find_objects(labels)):
         if nodes[index] < ALSO * nodes.max():
@@ -131,25 +132,25 @@ def _places_within(piece: Piece) -> Iterator[Place]:
         ends = np.array([(side.start, side.stop - 1) for side in where]).T * lattice.cell
         low, high = ends + lattice.low + MARGIN * lattice.cell * np.array([[-1], [1]])
         away = _elsewhere(labels, index + 1, lattice.cell, lattice.low)
-        yield Place(part, low, high, partial(_any_of, (piece.place.others, away)))
+        yield Place(part, low, high, partial(_any_of, (component.place.others, away)))
 
 
-def _labelled(piece: Piece) -> Int[np.ndarray, "n m k"]:
-    """The pieces among the lattice's nodes, numbered from 1; 0 outside.
+def _labelled(component: Component) -> Int[np.ndarray, "n m k"]:
+    """The components among the lattice's nodes, numbered from 1; 0 outside.
 
     What a bridge joins that is thinner than the errors is two: the gap between a dresser's rows of
     drawers was mostly shut, and they became one roll.
     """
-    values, cell = piece.lattice.values, piece.lattice.cell
+    values, cell = component.lattice.values, component.lattice.cell
     inside, labels = values < 0, np.zeros(values.shape, np.int32)
-    ndimage.label(values < -BRIDGE * piece.error, JOINED, output=labels)
+    ndimage.label(values < -BRIDGE * component.error, JOINED, output=labels)
     nodes = np.bincount(labels.ravel())[1:]
     large = np.flatnonzero(nodes >= ALSO * nodes.max(initial=0)) + 1
     if len(large) > 1:
         labels[~np.isin(labels, large)] = 0
         found = ndimage.distance_transform_edt(labels == 0, cell, return_indices=True)
         away, nearest = cast(tuple, found)
-        if away[inside].max() <= SHORT * piece.error:  # or it is a thin sheet, and no bridge
+        if away[inside].max() <= SHORT * component.error:  # or it is a thin sheet, and no bridge
             grown = np.where(inside, labels[tuple(nearest)], 0)
             return np.unique(grown, return_inverse=True)[1].reshape(values.shape).astype(np.int32)
     ndimage.label(inside, JOINED, output=labels)
@@ -160,10 +161,10 @@ def _any_of(each: Sequence[Elsewhere], points: Float[Tensor, "n 3"]) -> Tensor:
     return torch.stack([one(points) for one in each]).any(0)
 
 
-def drawn_at(distances: Distances, place: Place) -> Piece | None:
-    """The largest piece's closed surface on a lattice of its own."""
+def drawn_at(distances: Distances, place: Place) -> Component | None:
+    """The largest component's closed surface on a lattice of its own."""
     longest = float((place.high - place.low).max())
-    error = min(max(longest * ERROR_SHARE, ERROR[0]), ERROR[1])
+    error = min(max(longest * ERROR_FRACTION, ERROR[0]), ERROR[1])
     grid = tet_grid(min(int(np.ceil(longest * CELLS / error)), MOST_CELLS))
     cell = longest / grid.resolution
     middle = torch.from_numpy((place.low + place.high) / 2).float()
@@ -179,47 +180,49 @@ def drawn_at(distances: Distances, place: Place) -> Piece | None:
     verts, faces = largest(verts, faces)
     verts = polished(verts, faces, POLISH)
     values = distance.view(grid.shape).double().numpy()
-    return Piece(place, verts, faces, Lattice(values, nodes[0].double().numpy(), cell), error)
+    return Component(place, verts, faces, Lattice(values, nodes[0].double().numpy(), cell), error)
 
 
-def points_of(piece: Piece) -> Float[np.ndarray, "n 3"]:
-    """Of the piece's surface, evenly by area."""
+def points_of(component: Component) -> Float[np.ndarray, "n 3"]:
+    """Of the component's surface, evenly by area."""
     generator = torch.Generator().manual_seed(0)
-    return sample_surface(piece.verts, piece.faces, FITTED, generator).double().numpy()
+    return sample_surface(component.verts, component.faces, FITTED, generator).double().numpy()
 
 
-def turned_share(distances: Distances, piece: Piece, axis: int) -> float:
-    """The fraction of a piece's surface that stays on it when it is turned about the line along
+def turned_fraction(distances: Distances, component: Component, axis: int) -> float:
+    """The fraction of a component's surface that stays on it when it is turned about the line along
     ``axis`` through its middle."""
     # By no symmetry of a square.
-    return on_itself(distances, piece, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
+    return on_itself(distances, component, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
 
 
-def repeated(distances: Distances, piece: Piece) -> Piece:
-    """The piece as it is in the mean over the turns that leave it as it is."""
-    mean = repeats(distances, piece)
-    return (mean and drawn_at(mean, piece.place)) or piece
+def repeated(distances: Distances, component: Component) -> Component:
+    """The mean of the component over the turns that leave it unchanged."""
+    mean = repeats(distances, component)
+    return (mean and drawn_at(mean, component.place)) or component
 
 
-def repeats(distances: Distances, piece: Piece) -> Distances | None:
-    """The mean of a piece's distances over the turns that leave it as it is; None: over none."""
-    middle = piece.middle
+def repeats(distances: Distances, component: Component) -> Distances | None:
+    """The mean of a component's distances over the turns that leave it unchanged, or None."""
+    middle = component.middle
     for times in TIMES:
         turns = [k / times for k in range(times)]
         for axis in (2, 0, 1):
-            if on_itself(distances, piece, axis, turns[1:]) >= REPEATED:
+            if on_itself(distances, component, axis, turns[1:]) >= REPEATED:
                 return lambda points: torch.stack(
                     [distances(x + middle) for x in ring_of(points - middle, axis, turns)]
                 ).mean(0)
     return None
 
 
-def on_itself(distances: Distances, piece: Piece, axis: int, turns: Sequence[float]) -> float:
-    """The fraction of a piece's surface that parts of a whole turn leave on it."""
-    some = piece.verts[:: -(-len(piece.verts) // TURNED)] - piece.middle
-    places = ring_of(some, axis, turns) + piece.middle
-    off = distances(places.view(-1, 3))[:, piece.place.part].abs()
-    return float((off < TURNED_OFF * piece.error).float().mean())
+def on_itself(
+    distances: Distances, component: Component, axis: int, turns: Sequence[float]
+) -> float:
+    """The fraction of a component's surface that parts of a whole turn leave on it."""
+    some = component.verts[:: -(-len(component.verts) // TURNED)] - component.middle
+    places = ring_of(some, axis, turns) + component.middle
+    off = distances(places.view(-1, 3))[:, component.place.part].abs()
+    return float((off < TURNED_OFF * component.error).float().mean())
 
 
 def ring_of(

@@ -1,13 +1,13 @@
-"""Pieces that mirror each other are made alike."""
+"""Components that mirror each other are made alike."""
 
 import pytest
 import torch
 
 from core.geometry.mesh import health
 from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.components import Place, drawn_at, drawn_in, places_of
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import Place, drawn_at, drawn_in, places_of
-from core.geometry.parts.twins import Twin, mirrored_mesh, twins
+from core.geometry.parts.mirrored import Mirror, mirrored_mesh, mirrored_pairs
 
 FLAT = Forms((1.0,), ((0.0,), (0.0,), (0.0,)))
 
@@ -35,15 +35,15 @@ def drawn(distances):
 
 def test_the_left_mirrors_the_right_and_nothing_else():
     pairs = blocks((0.4, 0, 0.3), (-0.4, 0, 0.3), (0.0, 0.1, -0.5))
-    pieces = drawn(pairs)
-    assert len(pieces) == 3
-    found = twins(pairs, pieces)
-    ((later, twin),) = found.items()
-    assert twin.axis == 0
-    sides = [pieces[k].verts[:, 0].mean() for k in (later, twin.of)]
+    components = drawn(pairs)
+    assert len(components) == 3
+    found = mirrored_pairs(pairs, components)
+    ((later, mirror),) = found.items()
+    assert mirror.axis == 0
+    sides = [components[k].verts[:, 0].mean() for k in (later, mirror.of)]
     assert sides[0] == pytest.approx(-float(sides[1]), abs=0.01)
     aside = blocks((0.4, 0, 0.3), (-0.4, 0, 0.2))  # not as high
-    assert twins(aside, drawn(aside)) == {}
+    assert mirrored_pairs(aside, drawn(aside)) == {}
 
 
 def test_what_only_has_the_size_of_its_like_is_no_twin():
@@ -56,10 +56,10 @@ def test_what_only_has_the_size_of_its_like_is_no_twin():
         block = blocks((0.4, 0, 0.3), waves=0.0)(points)[:, 0]
         return torch.stack([torch.minimum(block, ball)], 1)
 
-    pieces = drawn(distances)
-    assert len(pieces) == 2
-    assert twins(both, drawn(both)) == {1: Twin(0, 0)}
-    assert twins(distances, pieces) == {}
+    components = drawn(distances)
+    assert len(components) == 2
+    assert mirrored_pairs(both, drawn(both)) == {1: Mirror(0, 0)}
+    assert mirrored_pairs(distances, components) == {}
 
 
 def test_a_twin_is_its_others_mirror_to_the_last_bit():
@@ -72,7 +72,7 @@ def test_a_twin_is_its_others_mirror_to_the_last_bit():
         return torch.minimum(plain(points), knob[:, None])
 
     parts = KnownParts(knobbed, FLAT)
-    assert parts.pieces[1].primitive is None, "it is the first one's"
+    assert parts.components[1].primitive is None, "it is the first one's"
     (one, faces), (other, turned) = (parts.surface_of(k) for k in range(2))
     assert torch.equal(other, one * torch.tensor([-1.0, 1.0, 1.0]))
     assert torch.equal(turned, faces.flip(1))
@@ -84,9 +84,9 @@ def test_a_twin_is_its_others_mirror_to_the_last_bit():
     torch.testing.assert_close(parts.near(points), parts.near(there), atol=1e-6, rtol=0)
 
 
-def test_a_piece_on_both_sides_has_none():
+def test_a_component_on_both_sides_has_none():
     across = blocks((0.05, 0, 0), waves=0.0)
-    assert twins(across, [*drawn(across), *drawn(across)]) == {}
+    assert mirrored_pairs(across, [*drawn(across), *drawn(across)]) == {}
 
 
 def bridged(thick: float, apart: float):
@@ -107,7 +107,7 @@ def bridged(thick: float, apart: float):
     [(0.016, 0.06, 2), (0.1, 0.06, 1), (0.016, 0.5, 1)],
     ids=["thinner than the errors", "a neck", "a sheet"],
 )
-def test_a_thin_bridge_parts_two_pieces(thick, apart, count):
+def test_a_thin_bridge_parts_two_components(thick, apart, count):
     distances = bridged(thick, apart)
     whole = Place(0, *(torch.full((3,), end).double().numpy() for end in (-0.9, 0.9)), nowhere)
     assert len(list(drawn_in(distances, whole))) == count

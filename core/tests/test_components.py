@@ -1,17 +1,17 @@
-"""The pieces of parts: where each is, and those that only one lattice joins."""
+"""The components of parts: where each is, and those that only one lattice joins."""
 
 import numpy as np
 import torch
 
-from core.geometry.parts import pieces as pieces_module
+from core.geometry.parts import components as components_module
 from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.components import drawn_in, places_of
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pieces import drawn_in, places_of
 from core.geometry.tet_grid import EXTENT
 
 
-def test_a_board_between_the_nodes_is_one_piece_and_what_is_only_near_is_none(monkeypatch):
-    monkeypatch.setattr(pieces_module, "SEARCH", 24)
+def test_a_board_between_the_nodes_is_one_component_and_what_is_only_near_is_none(monkeypatch):
+    monkeypatch.setattr(components_module, "SEARCH", 24)
     cell = 2 * EXTENT / 24
 
     def board(half):
@@ -45,24 +45,26 @@ def boards(gap, *halves):
     return at
 
 
-def test_pieces_that_only_the_lattice_of_all_joins_are_each_drawn():
+def test_components_that_only_the_lattice_of_all_joins_are_each_drawn():
     # A goat had one horn, a windmill one of four sails: the others were dropped.
     three = boards(0.02, 0.2, 0.2, 0.2)
     (place,) = places_of(three, 1)
-    pieces = list(drawn_in(three, place))
-    assert [round(float(piece.middle[0]), 2) for piece in pieces] == [-0.42, 0.0, 0.42]
-    assert [piece.place.others(pieces[1].middle[None]).item() for piece in pieces] == [
+    components = list(drawn_in(three, place))
+    assert [round(float(component.middle[0]), 2) for component in components] == [-0.42, 0.0, 0.42]
+    assert [
+        component.place.others(components[1].middle[None]).item() for component in components
+    ] == [
         True,
         False,
         True,
     ]
-    found = KnownParts(three, Forms((1.0,), ((0,), (0,), (0,)))).pieces
-    assert [piece.primitive.form for piece in found] == ["box"] * 3
-    for piece in found:
-        np.testing.assert_allclose(piece.primitive.lengths[:3], (0.2, 0.3, 0.1), atol=0.01)
+    found = KnownParts(three, Forms((1.0,), ((0,), (0,), (0,)))).components
+    assert [component.primitive.form for component in found] == ["box"] * 3
+    for component in found:
+        np.testing.assert_allclose(component.primitive.lengths[:3], (0.2, 0.3, 0.1), atol=0.01)
 
 
-def test_a_crumb_beside_two_pieces_is_none():
+def test_a_crumb_beside_two_components_is_none():
     some = boards(0.016, 0.2, 0.2, 0.03)
     (place,) = places_of(some, 1)
     assert len(list(drawn_in(some, place))) == 2
