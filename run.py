@@ -8,18 +8,18 @@
 Commands:
     generate "PROMPT"          make an asset; --out RUN, --blend FILE, --render FILE, --seed N, ...
     texture MESH "PROMPT"      a material for your own mesh; the same options
-    resume RUN                 go on with a run that was cancelled or died; --blend, --render;
+    resume RUN                 continue a run that was cancelled or interrupted; --blend, --render;
                                --ray-jobs http://HOST:8265: on a Ray cluster
-    explore "PROMPT" --out DIR quick shapes of several seeds; resume finishes one
+    explore "PROMPT" --out DIR quick shapes from several seeds; resume finishes one
     recolor RUN --out DIR      quick materials for the shape of a run; resume finishes one
     edit ASSET "WORDS" --faces FILE     another material on some faces; the rest stays
                                         (--shape: another shape, within the same triangles)
-    batch TABLE --out DIR      an asset for each row of a CSV or text file; again: what is missing
-    node --head | --join HOST:PORT      this machine as a part of a Ray cluster, for batch --ray
-                                        (--jobs: and for Blender, resume --ray-jobs)
+    batch TABLE --out DIR      an asset for each row of a CSV or text file; repeat it to complete it
+    node --head | --join HOST:PORT      this machine as part of a Ray cluster, for batch --ray
+                                        (--jobs: also for Blender and resume --ray-jobs)
     render ASSET --out FILE    a picture of an asset under a light
     inspect ASSET|MESH         the mesh's health as JSON
-    verify ASSET               makes it again from what it records, and compares the files
+    verify ASSET               make it again from its own record, and compare the files
     export ASSET --format blend|glb|usd|fbx|obj|stl|3mf --out FILE
     export ASSET --format urdf|mjcf|usd-physics --out FILE      for simulators, with its mass
     export ASSET --format godot|unity|unreal --out FOLDER       for an engine, with colliders
@@ -29,25 +29,25 @@ Commands:
     physics ASSET --physics rigid|soft|cloth|drape --frames N --render FILE [--blend FILE]
     cornell ASSET... --render FILE
     report RUN --out FILE      a run as one HTML file that needs no network
-    reproduce [--figure NAME]  the paper's figures again, on a page; --list, --quick, --page FILE
-    words "PROMPT"             what is understood of a prompt, as JSON; makes nothing
-    models [FOLDER...]         the Stable Diffusion models there, and which can be used
+    reproduce [--figure NAME]  the paper's figures, on a page; --list, --quick, --page FILE
+    words "PROMPT"             what the built-in model understands, as JSON; makes nothing
+    models [FOLDER...]         the Stable Diffusion models in folders, and which can be used
     bench [NAME...]            measure this machine
-    doctor                     what is here, what is missing, how to fix it; --report FILE
+    doctor                     what is installed, what is missing, how to fix it; --report FILE
     setup [blender] [test] [ray]        make the Python environment now; --renew, --allow-cuda
     package [--out FOLDER]     the extension for Blender, as a zip
     test [PYTEST ARGUMENTS]    run the tests
     python [ARGUMENTS]         the environment's Python
 
 COMMAND --help lists a command's options. The first run makes an environment for the method's
-Python packages in your data folder (about 3 GB; `doctor` says where).
+Python packages in your data folder (about 3 GB; `doctor` shows where).
 
-Exit codes: 0 done; 2 the input; 3 something is not installed or not there; 4 out of memory;
+Exit codes: 0 done; 2 invalid input; 3 something is not installed or not found; 4 out of memory;
 5 no surface could be kept; 6 some assets of a batch failed; 7 another process of the same asset
 ended; 130 cancelled.
 """
 
-# ruff: noqa: E402 - Ctrl-C is heard before all the rest is loaded
+# ruff: noqa: E402 - Ctrl-C is handled before all the rest is loaded
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ import signal
 import sys
 
 
-def hear_ctrl_c() -> None:
-    """End at Ctrl-C from now on, in one line, as long as there is nothing to clean up.
+def handle_ctrl_c() -> None:
+    """End at Ctrl-C from now on with one line, while there is nothing to clean up.
 
     A process that this file became (``hand_over``) starts with the signal held back.
     """
@@ -73,7 +73,7 @@ def _end(*_: object) -> None:
 
 
 if __name__ == "__main__" and "bpy" not in sys.modules:  # Blender has a handler of its own
-    hear_ctrl_c()
+    handle_ctrl_c()
 
 import difflib
 import json
@@ -117,7 +117,7 @@ def parser() -> Commands:
     commands = Commands((__doc__ or "").partition("\n")[0])
     add_core_commands(commands)
     add_blender_commands(commands)
-    doctor = commands.add("doctor", "What is here, what is missing, how to fix it.")
+    doctor = commands.add("doctor", "What is installed, what is missing, how to fix it.")
     doctor.add_argument(
         "--report",
         type=Path,
@@ -129,7 +129,7 @@ def parser() -> Commands:
         "groups", nargs="*", metavar="|".join(GROUPS), help="packages beyond the core's"
     )
     setup.add_argument("--renew", action="store_true", help="make it again from nothing")
-    setup.add_argument("--allow-cuda", action="store_true", help="take torch's CUDA build")
+    setup.add_argument("--allow-cuda", action="store_true", help="use torch's CUDA build")
     package = commands.add("package", "The extension for Blender, as a zip.")
     package.add_argument("--out", type=Path, default=ROOT / "out", metavar="FOLDER")
     return commands
@@ -197,7 +197,7 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
         return code
     if os.name == "posix" and "bpy" not in sys.modules:  # signals then reach the right process
         os.chdir(folder or Path.cwd())
-        if ours:  # Python's own start would answer Ctrl-C by a traceback: hear_ctrl_c lets it in
+        if ours:  # Python's own start would answer Ctrl-C by a traceback: handle_ctrl_c lets it in
             signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
         os.execve(words[0], words, environment.clean_environ())
     with subprocess.Popen(words, env=environment.clean_environ(), cwd=folder) as child:
@@ -207,9 +207,9 @@ def hand_over(command: Sequence[str | Path], folder: Path | None = None) -> int:
     return code if code >= 0 else 128 - code
 
 
-def say(text: str, share: float) -> None:
-    """A line of the set-up's progress."""
-    terminal.complain(f"set-up {share:4.0%}  {text}")
+def show_progress(text: str, fraction: float) -> None:
+    """Print a line of the set-up's progress."""
+    terminal.complain(f"set-up {fraction:4.0%}  {text}")
 
 
 def launch(argv: list[str]) -> int:
@@ -233,7 +233,7 @@ def launch(argv: list[str]) -> int:
         command = [*environment.find_blender(version), *IN_BLENDER, Path(__file__).resolve()]
         return hand_over([*command, "--", *argv])
     groups = ("blender",) if blender else ("ray",) if clustered else ()
-    python_path = environment.ensure(ROOT, groups, say, runs_core=core)
+    python_path = environment.ensure(ROOT, groups, show_progress, runs_core=core)
     return hand_over([python_path, Path(__file__).resolve(), "--inside", *argv])
 
 
@@ -244,7 +244,9 @@ def setup(args: Namespace) -> int:
         fix = f"Use {', '.join(GROUPS)}, --renew, --allow-cuda."
         raise UserError(f"setup has no {wrong[0]!r}.", fix)
     terminal.put(
-        environment.ensure(ROOT, args.groups, say, allow_cuda=args.allow_cuda, renew=args.renew)
+        environment.ensure(
+            ROOT, args.groups, show_progress, allow_cuda=args.allow_cuda, renew=args.renew
+        )
     )
     return 0
 
@@ -253,15 +255,15 @@ def test(arguments: list[str]) -> int:
     """Run pytest over the core's and the add-on's tests."""
     # Without a bpy module Blender's tests are left out.
     groups = ("test",) if environment.module_version(ROOT) else ("blender", "test")
-    python_path = environment.ensure(ROOT, groups, say)
-    # The whole suite in a process for each core; a file's tests share what they made.
-    shared = () if arguments else ("-n", str(test_processes()), "--dist", "loadfile")
-    return hand_over([python_path, "-m", "pytest", *shared, *arguments], ROOT)
+    python_path = environment.ensure(ROOT, groups, show_progress)
+    # The whole suite runs in several processes; the tests of a file share their fixtures.
+    spread = () if arguments else ("-n", str(test_processes()), "--dist", "loadfile")
+    return hand_over([python_path, "-m", "pytest", *spread, *arguments], ROOT)
 
 
 def test_processes() -> int:
-    """One more than cores that may be used, as tests wait for processes and clocks too; one for
-    each 3 GB of memory, as each loads torch and Blender."""
+    """One more than the usable cores, as tests also wait for processes and clocks; at most one per
+    3 GB of memory, as each loads torch and Blender."""
     cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
     memory = 4e9 * cores
     if hasattr(os, "sysconf"):
@@ -279,7 +281,9 @@ def package(args: Namespace) -> int:
             f"--out is {folder}, which is not a folder.", "Name a folder, or a new one."
         )
     check_folder(folder)
-    builder = environment.find_builder(environment.ensure(ROOT, ("blender",), say, runs_core=False))
+    builder = environment.find_builder(
+        environment.ensure(ROOT, ("blender",), show_progress, runs_core=False)
+    )
     with tempfile.TemporaryDirectory() as temporary:
         source = Path(temporary) / "fantasia3d"
         fill_package(source)
@@ -295,20 +299,20 @@ def package(args: Namespace) -> int:
 
 
 def use_builder(command: Sequence[str | Path], folder: str) -> None:
-    """Run Blender's builder in ``folder``, where what it builds comes to lie."""
+    """Run Blender's builder in ``folder``, where it writes its output."""
     environ = environment.clean_environ()
     done = subprocess.run(command, env=environ, cwd=folder, capture_output=True, text=True)
     if done.returncode:
-        raise UserError(f"Blender's builder refuses: {(done.stdout + done.stderr).strip()}")
+        raise UserError(f"Blender's builder failed: {(done.stdout + done.stderr).strip()}")
 
 
 def fill_package(folder: Path) -> None:
-    """What the zip holds: the add-on, with the manifest's name for Blender, and the core inside."""
+    """Fill the zip's folder: the add-on, with the manifest's name for Blender, and the core."""
     junk = shutil.ignore_patterns("__pycache__", "*.pyc", "tests")
-    # How the built-in prior was trained: a run uses nothing of it.
+    # The training of the built-in prior: a run uses nothing of it.
     training = shutil.ignore_patterns("__pycache__", "*.pyc", "tests", "prior")
     shutil.copytree(ROOT / "fantasia3d_addon", folder, ignore=junk)
-    # In a folder of its own: Python would take a module beside the core for a library of its name.
+    # In a folder of its own: Python would import a module next to the core as a library.
     shutil.copytree(ROOT / "core", folder / "method" / "core", ignore=training)
     for name in ("pyproject.toml", "requirements.lock"):
         shutil.copy(ROOT / name, folder / "method")
@@ -318,14 +322,14 @@ def fill_package(folder: Path) -> None:
 
 def python(arguments: list[str]) -> int:
     """Run the environment's Python."""
-    return hand_over([environment.ensure(ROOT, (), say), *arguments])
+    return hand_over([environment.ensure(ROOT, (), show_progress), *arguments])
 
 
 # Inside the environment
 
 
 def inside(argv: list[str], only_core: bool = False) -> int:
-    """Carry out a command in this process; hand its asset over to Blender's part afterwards."""
+    """Carry out a command in this process, then pass its asset to Blender's part."""
     from core.command_line import carry_out
     from fantasia3d_addon.cli import parser as route
 
@@ -336,7 +340,7 @@ def inside(argv: list[str], only_core: bool = False) -> int:
     code = terminal.exit_code(lambda: made.append(carry_out(args)))
     if code or only_core or not route.imports_asset(args):
         return code
-    # In a process of its own: neither torch nor what the training holds has a place in Blender's.
+    # In a process of its own: Blender's should not contain torch and the training's memory.
     request = {"asset": str(made[0]), "blend": args.blend, "render": args.render}
     order = json.dumps({key: str(value) for key, value in request.items() if value})
     return hand_over([sys.executable, Path(__file__).resolve(), "--finish", order])
@@ -352,7 +356,7 @@ def in_blender(args: Namespace) -> int:
 
 
 def finish(order: str) -> NoReturn:
-    """Import an asset with the bpy module, save the scene and render it, as ``order`` says."""
+    """Import an asset with the bpy module, save the scene and render it, as ``order`` states."""
     from fantasia3d_addon.cli import headless
 
     request = json.loads(order)
@@ -384,7 +388,7 @@ def under_blender(argv: list[str]) -> int:
     args = parse(argv)
     if route.runs_in_blender(args):
         return in_blender(args)
-    python_path = environment.ensure(ROOT, (), say)
+    python_path = environment.ensure(ROOT, (), show_progress)
     core = [python_path, Path(__file__).resolve()]
     if args.command not in JOBS:
         return hand_over([*core, "--inside", *argv])
@@ -394,31 +398,29 @@ def under_blender(argv: list[str]) -> int:
     if folder is None:
         folder = default_run_folder(args.prompt)
         more = ["--out", str(folder)]
-    # Blender's own handler is no Python function, and could not be put back after the job.
+    # Blender's own handler is not a Python function, and could not be put back after the job.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     command = [*core, "--core", *argv, *more]
     return headless.run_job(command, folder / "asset", args.blend, args.render)
 
 
 def doctor(args: Namespace) -> int:
-    """Print what is here and what is missing; 0 when ``generate`` can run at once, else 3."""
+    """Print what is installed and what is missing; 0 when ``generate`` can run at once, else 3."""
     lines = environment.examine(ROOT)
     if args.report:
         file = environment.write_report(args.report, ROOT, lines)
-        terminal.put(
-            f"The report is {file}. Names, paths, prompts and secrets were left out of it.\n"
-        )
+        terminal.put(f"The report is {file}. It contains no names, paths, prompts or secrets.\n")
     for line in lines:
         terminal.put(f"{line.name:<17} {line.state:<8} {line.text}")
     missing = [line.name for line in lines if line.state == "MISSING"]
-    terminal.put(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is here.")
+    terminal.put(f"\nMissing: {', '.join(missing)}." if missing else "\nEverything is installed.")
     return 3 if missing else 0
 
 
 def main(argv: list[str]) -> int:
     """Carry out a command line wherever this runs: the exit code."""
     if "bpy" not in sys.modules and signal.getsignal(signal.SIGINT) == _end:
-        # From here on there is something to clean up: an environment that is half made.
+        # From here on there is something to clean up: an incomplete environment.
         signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         code = answer(argv)

@@ -194,8 +194,8 @@ def test_a_file_a_lora_and_an_embedding_come_back_from_their_job(addon, tmp_path
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"guidance": "folder"}, "is no Stable Diffusion model"),
-        ({"guidance": "folder", "model_folder": "/tmp"}, "is no Stable Diffusion model"),
+        ({"guidance": "folder"}, "is not a Stable Diffusion model"),
+        ({"guidance": "folder", "model_folder": "/tmp"}, "is not a Stable Diffusion model"),
         ({"guidance": "hub"}, "No model is chosen"),
         ({"light": "FILE"}, "No light is chosen"),
         ({"light": "FILE", "light_file": "/no/such.hdr"}, "There is no light"),

@@ -222,22 +222,22 @@ BREAKS = {
         "names no base color",
     ),
     "half a mesh": (lambda f: cut(f / "mesh.obj", 0.7), "mesh"),
-    "an empty mesh": (lambda f: (f / "mesh.obj").write_text(""), "is no triangle mesh"),
+    "an empty mesh": (lambda f: (f / "mesh.obj").write_text(""), "is not a triangle mesh"),
     "no uv": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-        "is no triangle mesh",
+        "is not a triangle mesh",
     ),
     "an index too high": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 0\nvt 0 0\nf 1/1 2/1 3/1\n"),
-        "is no triangle mesh",
+        "is not a triangle mesh",
     ),
     "an index beyond 64 bits": (
         lambda f: (f / "mesh.obj").write_text(f"v 0 0 0\nvt 0 0\nf {9**30}/1 1/1 1/1\n"),
-        "is no triangle mesh",
+        "is not a triangle mesh",
     ),
     "a face without corners": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 0\nvt 0 0\nf  \n"),
-        "is no triangle mesh",
+        "is not a triangle mesh",
     ),
     "a name that is too long": (
         lambda f: break_json(
@@ -249,12 +249,12 @@ BREAKS = {
     ),
     "a number that is none": (
         lambda f: (f / "mesh.obj").write_text("v 0 0 nan\nvt 0 0\nf 1/1 1/1 1/1\n"),
-        "is no triangle mesh",
+        "is not a triangle mesh",
     ),
     "a face twice": (doubled_face, "repeat a vertex or another face"),
-    "a map that is no picture": (
+    "a map that is not a picture": (
         lambda f: (f / "normal.png").write_text("no picture"),
-        "normal.png is no picture",
+        "normal.png is not a picture",
     ),
     "a DirectX normal map": (
         lambda f: break_json(

@@ -93,7 +93,7 @@ def test_a_light_that_is_not_there_is_refused_with_those_that_are(name):
 
 def test_a_file_that_is_no_picture_leaves_nothing(tmp_path):
     (tmp_path / "light.exr").write_text("no picture")
-    with pytest.raises(LightError, match="is no picture"):
+    with pytest.raises(LightError, match="is not a picture"):
         light.set_world(bpy.context.scene, tmp_path / "light.exr")
     assert not bpy.data.images
     assert not bpy.data.worlds

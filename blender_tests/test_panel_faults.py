@@ -297,7 +297,7 @@ def test_a_tool_that_breaks_does_not_keep_the_others_from_starting(monkeypatch):
 
 def test_an_export_that_hangs_or_cannot_start_is_a_sentence(addon, tmp_path, monkeypatch):
     obj = import_asset(bpy.context.scene, write_asset(tmp_path / "asset"), (0, 0, 0))
-    core = Core(tmp_path, tmp_path)  # a folder is no program
+    core = Core(tmp_path, tmp_path)  # a folder is not a program
     with pytest.raises(OutputError, match="can't be started"):
         print_export.export_print(obj, tmp_path / "x.stl", core)
     hanging = tmp_path / "hanging"

@@ -88,7 +88,7 @@ def test_a_wrong_token_is_a_sentence_in_the_panel(cluster, preferences, wait):
 @pytest.mark.parametrize("address", ["", "192.0.2.1:8265", "http://me:secret@host", "http://h?t=1"])
 def test_a_wrong_address_is_refused_at_once(address, preferences):
     preferences.ray_address = address
-    with pytest.raises(JobError, match="address of the Ray cluster is none") as caught:
+    with pytest.raises(JobError, match="address of the Ray cluster is not valid") as caught:
         submit.generate(bpy.context)
     assert "secret" not in str(caught.value)
 

@@ -208,7 +208,7 @@ def test_a_turntable_in_a_window_replaces_the_older_one_only_when_it_is_whole(
 @pytest.mark.parametrize(
     ("out", "options", "error", "message"),
     [
-        ("x.avi", {}, OutputError, "is no MP4"),
+        ("x.avi", {}, OutputError, "is not an MP4"),
         ("x", {"frames": 1}, AddonError, "1 frames"),
         ("x", {"turn": "HEAD"}, AddonError, "HEAD"),
     ],

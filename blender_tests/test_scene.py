@@ -181,7 +181,7 @@ def test_a_picture_has_the_format_of_its_name(tmp_path, name):
 
 
 def test_a_picture_of_no_known_kind_is_refused(tmp_path):
-    with pytest.raises(OutputError, match=r"is no picture.*\.png"):
+    with pytest.raises(OutputError, match=r"is not a picture.*\.png"):
         scene_render.render_still(tmp_path / "x.doc", add_ball())
 
 

@@ -183,7 +183,7 @@ def test_a_file_that_is_no_python_is_an_error(box, monkeypatch):
     place = environment.Place(box.env, box.folder / "nothing", box.wheels)
     monkeypatch.setattr(paths.Paths, "place", place)
     bpy.ops.fantasia3d.set_up()
-    assert done().error[0].endswith("nothing is no Python 3.11, 3.12 or 3.13 of 64 bits.")
+    assert done().error[0].endswith("nothing is not a 64-bit Python 3.11, 3.12 or 3.13.")
 
 
 def test_network_access_is_required_unless_there_are_wheels(box, monkeypatch):

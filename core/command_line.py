@@ -171,7 +171,7 @@ def _resume_elsewhere(args: argparse.Namespace) -> Path | None:
     from core.batch.relay import relay
 
     if args.gpus != 1:
-        raise UserError("--gpus is of this machine.", "Leave it out with --ray-jobs.")
+        raise UserError("--gpus applies to this machine.", "Leave it out with --ray-jobs.")
     asset = relay(args.run, args.ray_jobs, _until(args), START)
     put(asset or args.run)
     return asset
@@ -269,9 +269,9 @@ def _verify(args: argparse.Namespace) -> None:
     if not report["same"]:
         changed = "changed" in report["files"].values()
         raise UserError(
-            "It did not come out the same.",
+            "The new asset is not the same.",
             "Its files were changed since it was made." if changed
-            else "Compare the versions above: another machine or library rounds otherwise.",
+            else "Compare the versions above: another machine or library rounds differently.",
         )  # fmt: skip
 
 
@@ -332,7 +332,9 @@ def _rehearse(args: argparse.Namespace) -> None:
     from core.benchmarks.bench_rehearsal import Rehearsal, bench_rehearsal
 
     if args.names != ["guidance"]:
-        raise UserError("--architecture belongs to bench guidance alone.", "Name no other bench.")
+        raise UserError(
+            "--architecture belongs to bench guidance alone.", "Use no other bench with it."
+        )
     names = ("architecture", "scale", "batch", "chunk", "device")
     bench_rehearsal(Rehearsal(**{name: getattr(args, name) for name in names}), args.json)
 
@@ -347,7 +349,7 @@ def _bench(args: argparse.Namespace) -> None:
         check_folder(args.out)
     for name in ("seeds", "calls"):
         if getattr(args, name) < 1:
-            raise UserError(f"--{name} is {getattr(args, name)}.", "It takes 1 or more.")
+            raise UserError(f"--{name} is {getattr(args, name)}.", "Use 1 or more.")
     settings = dict(setting_of(text) for text in args.set)
     with _whole_project(f"bench {args.names[0] if args.names else ''}"):
         if args.names == ["prior"]:  # hours, and folders of runs: never one of several

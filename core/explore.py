@@ -140,9 +140,9 @@ def _check(folder: Path, count: int) -> None:
     """Refuse a wrong count, and a folder whose sheet is the user's own picture."""
     low, high = COUNT
     if not low <= count <= high:
-        raise UserError(f"--count is {count}.", f"It takes {low} to {high}.")
+        raise UserError(f"--count is {count}.", f"Use {low} to {high}.")
     if (folder / SHEET).exists() and not any(folder.glob("candidate-*/job.json")):
         raise UserError(
-            f"{folder} holds a {SHEET} that is not of candidates.",
+            f"{folder} holds a {SHEET} that does not belong to candidates.",
             "Choose another --out, or rename that file.",
         )

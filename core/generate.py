@@ -274,7 +274,7 @@ def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
             progress.warn(
                 f"The guide's front seems to be {round(math.degrees(turn))}° off: it is turned for "
                 "the training, and the asset back.",
-                "--set geometry.find_front=false takes it as it is.",
+                "--set geometry.find_front=false uses it as it is.",
             )
     turn = float(ranks.rows([turn])[0, 0])
     run.turn = turn
@@ -313,7 +313,7 @@ def region_of(job: Job, asset: Asset) -> Region:
 def paused(run: RunFolder, until: str) -> Paused:
     """What ends a session that was to come only so far."""
     what = {"shape": "The shape", "color": "The material"}[until]
-    return Paused(f"{what} can be looked at.", f"Finish it: run.py resume {run.path}")
+    return Paused(f"{what} is ready to look at.", f"Finish it: run.py resume {run.path}")
 
 
 def learned_shape(
@@ -390,7 +390,7 @@ def views_of(config: Config) -> dict[str, int]:
 
 
 def info_of(job: Job, run: RunFolder) -> dict:
-    """What asset.json says about the making."""
+    """What asset.json states about the making."""
     names = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
     words = {key: value for key, value in asdict(job).items() if key in names}
     timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}

@@ -60,7 +60,7 @@ class Commands:
         return args
 
     def _expand_home(self, args: argparse.Namespace) -> None:
-        """Of --out=~/a a shell leaves the ~; what is no option is taken as it is written."""
+        """A shell does not expand the ~ of --out=~/a. Other arguments are left as written."""
         for action in self[args.command]._actions:
             value = getattr(args, action.dest, None)
             if action.option_strings and isinstance(value, Path):
@@ -84,7 +84,7 @@ def add_core_commands(commands: Commands) -> None:
     texture.add_argument("mesh")
     texture.add_argument("prompt")
     texture.add_argument(
-        "--uv", metavar="auto|keep", help="keep: take the mesh's own, even where faces share texels"
+        "--uv", metavar="auto|keep", help="keep: use the mesh's own, even where faces share texels"
     )
     texture.add_argument(
         "--base-color", metavar="FILE|mesh", help="start from this picture, or the mesh's own"
@@ -95,7 +95,7 @@ def add_core_commands(commands: Commands) -> None:
     for command in (generate, texture):
         command.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
         command.add_argument(
-            "--color-seed", type=int, metavar="N", help="another material on the same shape"
+            "--color-seed", type=int, metavar="N", help="a different material on the same shape"
         )
         _add_job_options(command)
         _add_gpus(command)
@@ -104,49 +104,58 @@ def add_core_commands(commands: Commands) -> None:
     edit.add_argument("asset", type=Path, metavar="ASSET")
     edit.add_argument("prompt", help="the whole thing in the new material, or a part of it")
     edit.add_argument(
-        "--faces", required=True, metavar="FILE", help="of mesh.obj: a number a line, from 0 on"
+        "--faces",
+        required=True,
+        metavar="FILE",
+        help="faces of mesh.obj: one number per line, from 0",
     )
     edit.add_argument(
-        "--shape", action="store_true", help="their shape instead: the vertices move, no texel does"
+        "--shape",
+        action="store_true",
+        help="change their shape instead: vertices move, texels stay",
     )
     edit.add_argument(
-        "--material", action="store_true", help="with --shape: their material as well"
+        "--material", action="store_true", help="with --shape: change their material too"
     )
     edit.add_argument("--out", type=Path, metavar="RUN", help="the run folder")
     _add_job_options(edit)
 
-    explore = add(
-        "explore", "Quick shapes of several seeds next to each other; resume finishes one."
-    )
+    explore = add("explore", "Quick shapes from several seeds side by side; resume finishes one.")
     explore.add_argument("prompt")
     explore.add_argument("--count", type=int, default=4, metavar="N", help="shapes; default 4")
-    explore.add_argument("--out", type=Path, metavar="DIR", help="a run folder each, and a picture")
+    explore.add_argument(
+        "--out", type=Path, metavar="DIR", help="a run folder for each, and a picture"
+    )
     explore.add_argument(
         "--size", type=float, metavar="METRES", help="the longest side; default: the prompt's"
     )
     _add_job_options(explore)
-    recolor = add("recolor", "Quick materials of several seeds for the shape of a run.")
-    recolor.add_argument("run", type=Path, metavar="RUN", help="its shape is finished")
+    recolor = add("recolor", "Quick materials from several seeds for the shape of a run.")
+    recolor.add_argument("run", type=Path, metavar="RUN", help="a run whose shape is finished")
     recolor.add_argument("--count", type=int, default=4, metavar="N", help="materials; default 4")
     recolor.add_argument(
-        "--out", type=Path, required=True, metavar="DIR", help="a run folder each, and a picture"
+        "--out",
+        type=Path,
+        required=True,
+        metavar="DIR",
+        help="a run folder for each, and a picture",
     )
 
-    batch = add("batch", "An asset for each row of a table, as many at once as the machine allows.")
+    batch = add("batch", "An asset for each row of a table; as many at once as the machine allows.")
     add_batch_options(batch)
     _add_job_options(batch)
     add_node_options(add("node", "This machine as a node of a Ray cluster, for batch --ray."))
 
-    resume = add("resume", "Go on with a run that was cancelled or died.")
+    resume = add("resume", "Continue a run that was cancelled or interrupted.")
     resume.add_argument("run", type=Path)
     _add_gpus(resume)
     resume.add_argument(
         "--ray-jobs",
         metavar="http://HOST:8265",
-        help="on a Ray cluster, by its Jobs interface; its token in RAY_AUTH_TOKEN",
+        help="run on a Ray cluster, through its Jobs API; its token in RAY_AUTH_TOKEN",
     )
     resume.add_argument(
-        "--end-with-stdin", action="store_true", help="end when the program that started it does"
+        "--end-with-stdin", action="store_true", help="stop when the program that started it ends"
     )
     for command in (generate, texture, resume):
         command.add_argument(
@@ -159,7 +168,9 @@ def add_core_commands(commands: Commands) -> None:
     render.add_argument("--azimuth-deg", type=float, default=30.0, help="0 is the front")
     render.add_argument("--elevation-deg", type=float, default=20.0)
     render.add_argument("--fovy-deg", type=float, default=40.0)
-    render.add_argument("--distance", type=float, metavar="METRES", help="default: see all of it")
+    render.add_argument(
+        "--distance", type=float, metavar="METRES", help="default: all of it is visible"
+    )
     render.add_argument("--size", type=int, default=512, help="pixels")
     render.add_argument("--map", default="shaded", help="shaded, normal, base_color, roughness, …")
     render.add_argument("--out", type=Path, required=True, metavar="FILE.png|FILE.exr")
@@ -167,7 +178,7 @@ def add_core_commands(commands: Commands) -> None:
     inspect = add("inspect", "The health of an asset or a mesh, as JSON.")
     inspect.add_argument("path", type=Path, metavar="ASSET|MESH")
 
-    verify = add("verify", "Make an asset again from what it records, and compare the files.")
+    verify = add("verify", "Make an asset again from its own record, and compare the files.")
     verify.add_argument("asset", type=Path)
 
     export = add("export", "An asset as one file for another program.")
@@ -187,15 +198,13 @@ def add_core_commands(commands: Commands) -> None:
         "--hulls", type=int, default=32, metavar="N", help=f"{simulators}: convex parts at most"
     )
 
-    report = add("report", "A run as one HTML file, to read anywhere and without a network.")
+    report = add("report", "A run as one HTML file that needs no network.")
     report.add_argument("run", type=Path)
     report.add_argument("--out", type=Path, metavar="FILE.html", help="default: RUN/report.html")
 
     words = add("words", "What the built-in model understands of a prompt, as JSON.")
-    words.add_argument("prompt", nargs="?", help="without one: all known words by group")
-    words.add_argument(
-        "--ignore-unknown-words", action="store_true", help="as generate with this option"
-    )
+    words.add_argument("prompt", nargs="?", help="without it: all known words by group")
+    words.add_argument("--ignore-unknown-words", action="store_true", help="as with generate")
 
     models = add("models", "The Stable Diffusion models in folders, and which can be used.")
     models.add_argument(
@@ -207,13 +216,17 @@ def add_core_commands(commands: Commands) -> None:
     )
     models.add_argument("--json", action="store_true", help="for programs")
 
-    reproduce = add("reproduce", "The paper's figures again, on a page; continues if stopped.")
+    reproduce = add("reproduce", "The paper's figures, reproduced on a page; continues if stopped.")
     reproduce.add_argument("--out", type=Path, default=Path("out/reproduction"), metavar="FOLDER")
     reproduce.add_argument("--page", type=Path, metavar="FILE.md", help="default: in --out")
-    reproduce.add_argument("--figure", action="append", default=[], metavar="NAME", help="only it")
-    reproduce.add_argument("--row", action="append", default=[], metavar="NAME", help="of a figure")
-    reproduce.add_argument("--list", action="store_true", help="the figures and what is made")
-    reproduce.add_argument("--quick", action="store_true", help="shortest settings, to try it")
+    reproduce.add_argument(
+        "--figure", action="append", default=[], metavar="NAME", help="only this one"
+    )
+    reproduce.add_argument(
+        "--row", action="append", default=[], metavar="NAME", help="only this row of a figure"
+    )
+    reproduce.add_argument("--list", action="store_true", help="list the figures and what is made")
+    reproduce.add_argument("--quick", action="store_true", help="shortest settings, as a trial")
     reproduce.add_argument("--guidance", metavar="builtin|FOLDER|HUB-ID")
     reproduce.add_argument("--at-once", type=int, metavar="N", help="runs; default: as many as fit")
 
@@ -223,9 +236,11 @@ def add_core_commands(commands: Commands) -> None:
     folders = "prior, fit, distillation"  # the benches that make something of each noun
     which = f"{folders}, solids: which"
     bench.add_argument("--nouns", nargs="*", default=[], metavar="NOUN", help=which)
-    bench.add_argument("--seeds", type=int, default=2, help="of prior and solids: of each noun")
     bench.add_argument(
-        "--calls", type=int, default=60, help="of distillation: network calls of each view"
+        "--seeds", type=int, default=2, help="of prior and solids: seeds for each noun"
+    )
+    bench.add_argument(
+        "--calls", type=int, default=60, help="of distillation: network calls per view"
     )
     bench.add_argument("--out", type=Path, metavar="FOLDER", help=f"{folders}: where the runs go")
     _add_rehearsal_options(bench)
@@ -234,7 +249,7 @@ def add_core_commands(commands: Commands) -> None:
         action="append",
         default=[],
         metavar="stage.field=value",
-        help="of fit, distillation: over draft",
+        help="of fit, distillation: changes to the draft preset",
     )
 
 
@@ -250,7 +265,7 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="FILE[:STRENGTH]",
-        help="over a Stable Diffusion checkpoint; strength 1 is as it was trained",
+        help="added to a Stable Diffusion checkpoint; strength 1: as trained",
     )
     command.add_argument(
         "--embedding",
@@ -262,7 +277,7 @@ def _add_job_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--ignore-unknown-words",
         action="store_true",
-        help="leave out what the built-in model does not know, instead of refusing it",
+        help="leave out words that the built-in model does not know; default: refuse them",
     )
     command.add_argument("--light", metavar="FILE|NAME")
     command.add_argument("--texture-size", type=int, metavar="N")
@@ -286,12 +301,12 @@ def _add_rehearsal_options(bench: argparse.ArgumentParser) -> None:
 
 def _add_gpus(command: argparse.ArgumentParser) -> None:
     command.add_argument(
-        "--gpus", type=int, default=1, metavar="N", help="share each step's views among N GPUs"
+        "--gpus", type=int, default=1, metavar="N", help="divide each step's views among N GPUs"
     )
 
 
 def job_of(args: argparse.Namespace) -> "Job":
-    """The Job that ``generate`` or ``texture`` asks for; its paths are made absolute."""
+    """The Job that ``generate`` or ``texture`` requests, with absolute paths."""
     from core.io.job import Job
 
     for name in ("guide", "light", "base_color", "faces"):
@@ -316,10 +331,10 @@ def job_of(args: argparse.Namespace) -> "Job":
     for name in ("seed", "preset", "negative_prompt", "texture_size", "max_faces", "device"):
         given[name] = getattr(args, name)
     for name, takes in (("texture_size", "64 to 8192 texels"), ("max_faces", "100 or more")):
-        if given[name] == 0:  # which stands for the preset's own in job.json
-            raise UserError(f"--{name.replace('_', '-')} is 0.", f"It takes {takes}.")
+        if given[name] == 0:  # which means the preset's own in job.json
+            raise UserError(f"--{name.replace('_', '-')} is 0.", f"Use {takes}.")
     if given["size_m"] == 0:
-        raise UserError("--size is 0.", "It takes metres, such as 0.9.")
+        raise UserError("--size is 0.", "Use metres, such as 0.9.")
     if args.negative_prompt == "":  # given, and empty: no negative prompt, not the default text
         given["settings"] = {"guidance.default_negative": "false"} | given["settings"]
     for name in ("guidance", "light", "base_color"):

@@ -67,20 +67,20 @@ def _check(out: Path, map: str, distance: float | None, size: int) -> None:
     if map not in MAPS:
         raise UserError(f"There is no map {map!r}.", f"Use one of {', '.join(MAPS)}.")
     if out.suffix.lower() not in (".png", ".exr"):
-        raise UserError(f"{out} is no PNG or EXR.", "Use a name that ends in .png or .exr.")
+        raise UserError(f"{out} is not a PNG or EXR file.", "Use a name that ends in .png or .exr.")
     if distance is not None and not 0 < distance < math.inf:
-        raise UserError(f"The distance is {distance} m.", "It takes more than 0.")
+        raise UserError(f"The distance is {distance} m.", "Use more than 0.")
     if not 1 <= size <= 8192:
-        raise UserError(f"The size is {size}.", "It takes 1 to 8192 pixels.")
+        raise UserError(f"The size is {size}.", "Use 1 to 8192 pixels.")
 
 
 def _check_angles(azimuth_deg: float, elevation_deg: float, fovy_deg: float) -> None:
     if not -36000 <= azimuth_deg <= 36000:  # false for NaN too; beyond, float32 loses the degree
-        raise UserError(f"The azimuth is {azimuth_deg}°.", "It takes -36000 to 36000.")
+        raise UserError(f"The azimuth is {azimuth_deg}°.", "Use -36000 to 36000.")
     if not -90 <= elevation_deg <= 90:
-        raise UserError(f"The elevation is {elevation_deg}°.", "It takes -90 to 90.")
+        raise UserError(f"The elevation is {elevation_deg}°.", "Use -90 to 90.")
     if not 1 <= fovy_deg <= 170:
-        raise UserError(f"The field of view is {fovy_deg}°.", "It takes 1 to 170.")
+        raise UserError(f"The field of view is {fovy_deg}°.", "Use 1 to 170.")
 
 
 @torch.no_grad()

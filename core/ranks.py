@@ -122,7 +122,7 @@ class Ranks:
                 words = f"Another process of this run has ended: {self.store.get(WORDS).decode()}"
         except RuntimeError:  # the store has ended with the first process
             pass
-        return RankLostError(words, "Continue it with resume, with as many GPUs as there are.")
+        return RankLostError(words, "Continue it with resume, on the available GPUs.")
 
 
 ALONE = Ranks()
@@ -182,7 +182,7 @@ def require_gpus(count: int, device: str, found: int) -> None:
     """
     if device not in ("auto", "cuda"):
         raise UserError(
-            f"--gpus {count} and the device {device} do not go together.",
+            f"--gpus {count} and the device {device} cannot be combined.",
             "Use --device cuda, or leave --gpus out.",
         )
     if count > found:

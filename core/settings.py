@@ -39,7 +39,7 @@ def check(config: Any, prefix: str = "") -> None:
     if isinstance(config, PhaseConfig) and config.t_low > min(config.t_high):
         raise UserError(
             f"{prefix}t_low is {config.t_low}.",
-            f"It takes no more than {prefix}t_high, which is {min(config.t_high)}.",
+            f"Use no more than {prefix}t_high, which is {min(config.t_high)}.",
         )
 
 
@@ -47,7 +47,7 @@ def _check_range(key: str, kind: Any, value: Any) -> None:
     allowed = range_of(kind)
     if allowed and not allowed.allows(value):
         text = ",".join(map(str, value)) if isinstance(value, tuple) else shown(value)
-        raise UserError(f"{key} is {text}.", f"It takes {allowed}.")
+        raise UserError(f"{key} is {text}.", f"Use {allowed}.")
 
 
 def setting_names(config: Any, prefix: str = "") -> list[str]:
@@ -98,7 +98,7 @@ def _parse(key: str, kind: Any, here: Any, value: Any) -> Any:
         return _number(type(here), value)
     except (ValueError, KeyError, TypeError, OverflowError):
         takes = " or ".join(get_args(kind)) if get_origin(kind) is Literal else _describe(here)
-        raise UserError(f"{key} is {shown(value)}.", f"It takes {takes}.") from None
+        raise UserError(f"{key} is {shown(value)}.", f"Use {takes}.") from None
 
 
 def _number(kind: type, value: Any) -> Any:

@@ -19,7 +19,7 @@ from core.interrupt import CANCELLED, interruptible
 
 # Of torch's errors, also of those that have no type of their own: the driver's, cuBLAS', Apple's.
 OUT_OF_MEMORY = ("allocate memory", "out of memory", "STATUS_ALLOC_FAILED")
-FULL = "Free some space or take another --out."
+FULL = "Free some space or use another --out."
 FIXES = {
     errno.ENOSPC: FULL,
     errno.EDQUOT: FULL,
@@ -65,7 +65,7 @@ def sentence_of(error: BaseException) -> UserError | None:
         return MemoryShortError(
             "There is not enough memory for this job.",
             "Lower geometry.views_at_once and appearance.views_at_once: to resume the run in the "
-            "settings of its job.json, in a new one with --set. Or take the draft preset.",
+            "settings of its job.json, in a new one with --set. Or use the draft preset.",
         )
     if isinstance(error, OSError) and error.errno is not None:
         place = f" {error.filename}" if error.filename else ""
@@ -134,7 +134,7 @@ def end(work: Callable[[], int]) -> NoReturn:
 
 def _unwritten(error: OSError) -> UserError:
     return UserError(
-        f"What was asked for cannot be printed: {error.strerror}.",
+        f"The output cannot be printed: {error.strerror}.",
         "Send the output to a file on a disk with space, or to no file.",
     )
 

@@ -39,7 +39,7 @@ def place(gpus: int = 1, device: str = "auto") -> int | None:
         UserError, MissingError: there cannot be ``gpus`` of them.
     """
     if gpus < 1:
-        raise UserError(f"--gpus is {gpus}.", "It takes 1 or more.")
+        raise UserError(f"--gpus is {gpus}.", "Use 1 or more.")
     rank = rank_in()
     if rank is not None and gpus > 1:
         raise UserError("--gpus and torchrun both start processes.", "Leave --gpus out.")

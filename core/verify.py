@@ -57,7 +57,7 @@ def _job(path: Path, info: dict[str, Any]) -> Job:
         value = getattr(job, name)
         if value and _is_gone(name, value):
             raise UserError(
-                f"The asset was made from {shown(value)}, which is not here.",
+                f"The asset was made from {shown(value)}, which is missing.",
                 "Name its run folder, or run it from the folder that holds this file.",
             )
     return job
@@ -79,5 +79,5 @@ def _is_gone(field: str, value: str) -> bool:
 def _object(path: Path, info: dict[str, Any], name: str) -> dict[str, Any]:
     found = info.get(name, {})
     if not isinstance(found, dict):
-        raise UserError(f"asset.json of {path} has a {name} entry that is no object.", REMAKE)
+        raise UserError(f"asset.json of {path} has a {name} entry that is not an object.", REMAKE)
     return found

@@ -11,7 +11,7 @@ class AddonError(Exception):
 
 
 class AssetError(AddonError):
-    """A folder is no asset, or an incomplete one."""
+    """A folder is not an asset, or an incomplete one."""
 
 
 class JobError(AddonError):
@@ -19,7 +19,7 @@ class JobError(AddonError):
 
 
 class LightError(AddonError):
-    """A light does not exist, or is no picture."""
+    """A light does not exist, or is not a picture."""
 
 
 class OutputError(AddonError):

@@ -115,11 +115,11 @@ def blender_light(name: str) -> Path:
     if names:
         raise MissingError(
             f"There is no light {name!r}.",
-            f"Take studio, a .exr or .hdr file, or one of Blender's: {', '.join(names)}.",
+            f"Use studio, a .exr or .hdr file, or one of Blender's: {', '.join(names)}.",
         )
     raise MissingError(
-        f"There is no light {name!r}, and no Blender whose lights could be looked through.",
-        "Take studio or a .exr or .hdr file, or put Blender's folder on PATH.",
+        f"There is no light {name!r}, and no Blender was found whose lights could be used.",
+        "Use studio or a .exr or .hdr file, or put Blender's folder on PATH.",
     )
 
 

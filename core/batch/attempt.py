@@ -107,7 +107,7 @@ class Attempt:
     def _end(self, code: int) -> End:
         self.close()
         if self._is_late and code:
-            text = f"It took longer than --timeout {self._timeout:g}. Call again to go on with it."
+            text = f"It took longer than --timeout {self._timeout:g}. Call again to continue it."
             return End(OUT_OF_TIME, text, self.seconds)
         return End(code, "" if code == 0 else cause(self.folder, code), self.seconds)
 

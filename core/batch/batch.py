@@ -59,13 +59,15 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
 def _check(args: Namespace) -> None:
     check_at_once(args.at_once)
     if args.retries < 0:
-        raise UserError(f"--retries is {args.retries}.", "It takes 0 or more.")
+        raise UserError(f"--retries is {args.retries}.", "Use 0 or more.")
     if args.timeout is not None and not args.timeout > 0:
-        raise UserError(f"--timeout is {args.timeout:g}.", "It takes seconds, more than 0.")
+        raise UserError(f"--timeout is {args.timeout:g}.", "Use seconds, more than 0.")
     if args.ray is not None and not args.ray.strip():  # a script's variable that was never set
-        raise UserError("--ray is empty.", "It takes auto, local or HOST:PORT.")
+        raise UserError("--ray is empty.", "Use auto, local or HOST:PORT.")
     if args.out.exists() and not args.out.is_dir():
-        raise UserError(f"--out is {args.out}, which is no folder.", "Name a folder, or a new one.")
+        raise UserError(
+            f"--out is {args.out}, which is not a folder.", "Name a folder, or a new one."
+        )
 
 
 def _keep_the_users(part: Part) -> None:
@@ -75,7 +77,7 @@ def _keep_the_users(part: Part) -> None:
     for name in (part.file(*REPORT), part.file(*SHEET)):
         if (part.out / name).exists():
             raise UserError(
-                f"{part.out} holds a {name} that is not of a batch.",
+                f"{part.out} holds a {name} that does not belong to a batch.",
                 "Choose another --out, or rename that file.",
             )
 
@@ -133,7 +135,7 @@ def _raise_what_is_wrong(results: list[Result], stopped: bool, part: Part) -> No
     done = sum(result.state == "done" for result in results)
     if stopped:
         raise Cancelled(
-            f"Stopped: {done} of {len(results)} are done.", "The same command goes on with it."
+            f"Stopped: {done} of {len(results)} are done.", "The same command continues it."
         )
     if done < len(results):
         raise SomeFailedError(

@@ -149,7 +149,7 @@ def connect(address: str) -> bool:
         raise UserError(
             f"There is no Ray cluster at {address!r} ({str(error).splitlines()[0]}).",
             "Start one: python3 run.py node --head; let this machine join it: node --join "
-            "HOST:PORT; or take --ray local.",
+            "HOST:PORT; or use --ray local.",
         ) from error
     return ray.cluster_resources().get("GPU", 0.0) > 0
 

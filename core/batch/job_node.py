@@ -96,7 +96,7 @@ def messages(log: str, seen: int) -> Iterator[dict[str, Any]]:
     for line in lines[seen:]:
         message = json.loads(line.removeprefix(MARK))
         if not isinstance(message, dict):
-            raise UserError("The cluster's job sent what is no message.", "Read its log there.")
+            raise UserError("The cluster's job sent an invalid message.", "Read its log there.")
         yield message
 
 

@@ -149,7 +149,7 @@ def checked(url: str) -> str:
     if not whole or has_more:
         # It may hold a password: it is not repeated.
         raise UserError(
-            "The address of the Ray cluster is none.",
+            "The address of the Ray cluster is not valid.",
             "Give http://HOST:8265, without a name, a password or a token in it.",
         )
     return url.strip().rstrip("/")

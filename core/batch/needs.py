@@ -75,7 +75,7 @@ def gpus() -> int:
 def check_at_once(at_once: int | None) -> None:
     """Raise UserError where ``--at-once`` is less than 1."""
     if at_once is not None and at_once < 1:
-        raise UserError(f"--at-once is {at_once}.", "It takes 1 or more.")
+        raise UserError(f"--at-once is {at_once}.", "Use 1 or more.")
 
 
 def places(needs: Needs, at_once: int | None) -> int:

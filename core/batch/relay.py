@@ -95,7 +95,7 @@ class Relay:
         return UserError(
             f"The cluster's job ended without a result{how}." if state
             else "The cluster no longer knows this run's job.",
-            "Resume the run: it goes on from the last checkpoint that came back.",
+            "Resume the run: it continues from the last checkpoint that came back.",
         )  # fmt: skip
 
     def _cancelled(self) -> bool:
@@ -191,7 +191,7 @@ def relay(folder: Path, url: str, until: str, since: float) -> Path | None:
         UserError: the address, the token or the cluster is not right, or the job failed.
     """
     if not (folder / "job.json").is_file():
-        raise UserError(f"{folder} is no run folder: it has no job.json.", "Start a new run.")
+        raise UserError(f"{folder} is not a run folder: it has no job.json.", "Start a new run.")
     one = Relay(folder, Jobs(url, os.environ.get(TOKEN, "")), until)
     with run_lock(folder), asks_to_stop(one.ask_to_stop):
         cancel, events = folder / "cancel", EventWriter(folder)

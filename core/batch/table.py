@@ -63,7 +63,7 @@ def read_table(path: Path) -> list[Row]:
     """The rows of ``path``, blank ones left out.
 
     Raises:
-        UserError: a file that cannot be read or is no text, holds no row, or has an unknown column
+        UserError: a file that cannot be read or is not text, holds no row, or has an unknown column
             or a row with more cells than columns.
     """
     text = _text(path)
@@ -71,7 +71,7 @@ def read_table(path: Path) -> list[Row]:
     rows = _csv_rows(text, path) if is_table else _lines(text)
     if not rows:
         raise UserError(
-            f"{path} holds no prompt.", "Write one a line, or a CSV file with a header."
+            f"{path} holds no prompt.", "Write one per line, or a CSV file with a header."
         )
     return rows
 
@@ -82,7 +82,7 @@ def _text(path: Path) -> str:
         check_size(path, MAX_BYTES, "Split it.")
         return path.read_text(encoding="utf-8-sig")  # spreadsheets write the mark
     except UnicodeDecodeError:
-        raise UserError(f"{path} is no UTF-8 text.", "Save it as CSV in UTF-8.") from None
+        raise UserError(f"{path} is not UTF-8 text.", "Save it as CSV in UTF-8.") from None
     except OSError as error:
         raise UserError(f"{path} cannot be read ({error.strerror}).", "Name a file.") from None
 
@@ -108,7 +108,7 @@ def _csv_rows(text: str, path: Path) -> list[Row]:
         ]
     except csv.Error as error:
         line = f"line {reader.line_num} of {path}"
-        raise UserError(f"{line} is no CSV ({error}).", "Check its quotes.") from None
+        raise UserError(f"{line} is not CSV ({error}).", "Check its quotes.") from None
     return rows
 
 
@@ -119,7 +119,7 @@ def _column(cell: str, path: Path) -> str:
     name = name.lower().replace("-", "_").replace(" ", "_")
     if name not in COLUMNS:
         near = difflib.get_close_matches(name, COLUMNS, n=1)
-        known = f"It takes {', '.join(COLUMNS)}, and keys of --set such as geometry.fine.steps."
+        known = f"Use {', '.join(COLUMNS)}, and keys of --set such as geometry.fine.steps."
         fix = f"Did you mean {near[0]}?" if near else known
         raise UserError(f"{path} has a column {shown(cell.strip())}.", fix)
     return name

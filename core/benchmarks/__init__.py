@@ -110,7 +110,7 @@ def bench(names: list[str], out: Path | None = None) -> None:
     """Measure the parts ``names`` (all, if empty), print a table, and write JSON to ``out``."""
     for name in names:
         if name not in PARTS:
-            raise UserError(f"There is no benchmark {name!r}.", f"Take {', '.join(PARTS)}.")
+            raise UserError(f"There is no benchmark {name!r}.", f"Use one of {', '.join(PARTS)}.")
     torch.set_num_threads(1)
     rows = []
     for name in names or PARTS:

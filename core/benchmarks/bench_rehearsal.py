@@ -77,7 +77,7 @@ class Rehearsal:
             given = getattr(self, name)
             if given < 1 or given % least:
                 takes = f"a multiple of {least}" if least > 1 else "1 or more"
-                raise UserError(f"--{name} is {given}.", f"It takes {takes}.")
+                raise UserError(f"--{name} is {given}.", f"Use {takes}.")
 
 
 def bench_rehearsal(rehearsal: Rehearsal, out: Path | None = None) -> list[dict]:

@@ -143,7 +143,7 @@ def write_asset(
 def read_asset(folder: Path) -> Asset:
     """The asset in ``folder``, which may also be the run folder around it.
 
-    Raises UserError for a folder that is no asset, or one that lacks a part or has a broken one.
+    Raises UserError for a folder that is not an asset, or that lacks a part or has a broken one.
     """
     folder = Path(folder)
     if not (folder / "asset.json").is_file() and (folder / "asset" / "asset.json").is_file():
@@ -154,11 +154,11 @@ def read_asset(folder: Path) -> Asset:
     mesh = read_obj(folder / "mesh.obj")
     stated = info.get("mesh", {})
     if not isinstance(stated, dict):
-        raise UserError(f"asset.json of {folder} has a mesh entry that is no object.", REMAKE)
+        raise UserError(f"asset.json of {folder} has a mesh entry that is not an object.", REMAKE)
     for name, got in (("verts", len(mesh.verts)), ("faces", len(mesh.faces))):
         if stated.get(name, got) != got:
             raise UserError(
-                f"mesh.obj of {folder} has {got} {name}, asset.json says {stated[name]}.", REMAKE
+                f"mesh.obj of {folder} has {got} {name}, asset.json states {stated[name]}.", REMAKE
             )
     return Asset(folder, info, mesh, read_maps(folder, info))
 
@@ -209,9 +209,7 @@ def export(folder: Path, format: str, out: Path) -> Path:
 def check_format(format: str) -> None:
     """Refuse what :func:`export` does not write."""
     if format not in FORMATS:
-        raise UserError(
-            f"The core does not write {format!r}.", f"Take one of {', '.join(FORMATS)}."
-        )
+        raise UserError(f"The core does not write {format!r}.", f"Use one of {', '.join(FORMATS)}.")
 
 
 def check_asset_folder(folder: Path) -> None:
@@ -309,7 +307,7 @@ def _read_info(folder: Path) -> dict[str, Any]:
                 f"The run {folder} has not finished: it has no asset yet.",
                 f"Finish it: run.py resume {folder}",
             )
-        raise UserError(f"{folder} is no asset: it has no asset.json.", REMAKE)
+        raise UserError(f"{folder} is not an asset: it has no asset.json.", REMAKE)
     info = read_object(path, REMAKE)
     version = info.get("version")
     if version != VERSION:

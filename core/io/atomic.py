@@ -100,7 +100,9 @@ def disk_errors(path: Path) -> Iterator[None]:
         if error.errno in FULL:
             raise UserError(f"The disk is full: {path} was not written.", "Make room.") from error
         if error.errno in FORBIDDEN:
-            raise UserError(f"{path} may not be written.", "Choose another folder.") from error
+            raise UserError(
+                f"{path} cannot be written: permission denied.", "Choose another folder."
+            ) from error
         if isinstance(error, MISPLACED):
             raise UserError(
                 f"{path} cannot be written: {error.strerror}.", "Choose another folder."

@@ -34,7 +34,7 @@ def check_file(
         raise UserError(f"{path} is a folder.", f"Name a {what}.")
     if not stat.S_ISREG(mode):
         raise UserError(
-            f"{path} is a pipe or a device.", "Write what comes from it to a file, and name that."
+            f"{path} is a pipe or a device.", "Save its output to a file, and use that file."
         )
     try:
         path.open("rb").close()
@@ -48,7 +48,7 @@ def expanded(path: "str | Path") -> Path:
 
 
 def check_name(path: Path) -> None:
-    """Refuse a name that is no text: libraries for pictures and checkpoints open none such.
+    """Refuse a name that is not text: libraries for pictures and checkpoints open none such.
 
     Raises:
         UserError: UTF-8 cannot hold it, as that of an old archive or disk.
@@ -57,7 +57,8 @@ def check_name(path: Path) -> None:
         str(path).encode()
     except UnicodeEncodeError:
         raise UserError(
-            f"{path} has a byte in its name that is no text.", "Rename it, or choose another place."
+            f"{path} has a byte in its name that is not text.",
+            "Rename it, or choose another place.",
         ) from None
 
 
@@ -79,4 +80,7 @@ def check_size(path: Path, most: int, fix: str) -> None:
 
 
 def _forbidden(path: Path) -> UserError:
-    return UserError(f"{path} may not be read.", "Change its permissions, or name another file.")
+    return UserError(
+        f"{path} cannot be read: permission denied.",
+        "Change its permissions, or name another file.",
+    )

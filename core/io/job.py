@@ -81,10 +81,10 @@ class Job:
         known = [f.name for f in dataclasses.fields(cls)]
         for key in sorted(data.keys() - set(known)):
             near = difflib.get_close_matches(key, known, n=1)
-            hint = f"Did you mean {near[0]!r}?" if near else f"It takes {', '.join(known)}."
+            hint = f"Did you mean {near[0]!r}?" if near else f"Use one of {', '.join(known)}."
             raise UserError(f"job.json has no setting {shown(key)}.", hint)
         if "prompt" not in data:
-            raise UserError("job.json has no prompt.", "Say what to make.")
+            raise UserError("job.json has no prompt.", "Describe what to make.")
         return cls(**data)
 
     def to_json(self) -> str:
@@ -98,9 +98,11 @@ def _check(job: Job) -> None:
         kind = get_origin(f.type) or f.type
         takes = (int, float) if kind is float else kind
         if isinstance(value, bool) != (kind is bool) or not isinstance(value, takes):
-            raise UserError(f"{f.name} is {shown(value)}.", f"It takes {kind.__name__}.")
+            raise UserError(f"{f.name} is {shown(value)}.", f"Use a value of type {kind.__name__}.")
     if not job.prompt.strip():
-        raise UserError("The prompt is empty.", 'Say what to make, such as "a red wooden chair".')
+        raise UserError(
+            "The prompt is empty.", 'Describe what to make, such as "a red wooden chair".'
+        )
     for f in dataclasses.fields(job):
         _check_text(f.name, getattr(job, f.name))
     for name in ("prompt", "negative_prompt"):
@@ -108,14 +110,14 @@ def _check(job: Job) -> None:
     _check_additions(job)
     if job.command not in COMMANDS:
         raise UserError(
-            f"There is no command {shown(job.command)}.", f"Take {' or '.join(COMMANDS)}."
+            f"There is no command {shown(job.command)}.", f"Use {' or '.join(COMMANDS)}."
         )
     if job.command == "texture" and not job.mesh:
         raise UserError("There is no mesh to texture.", "Name an OBJ, PLY, GLB or STL file.")
     if job.uv not in UV_MODES:
-        raise UserError(f"There is no uv mode {shown(job.uv)}.", f"Take {' or '.join(UV_MODES)}.")
+        raise UserError(f"There is no uv mode {shown(job.uv)}.", f"Use {' or '.join(UV_MODES)}.")
     if job.base_color and job.command != "texture":
-        raise UserError("A base colour to start from needs a mesh.", "It belongs to texture.")
+        raise UserError("A base colour to start from needs a mesh.", "Use it with texture.")
     if bool(job.region) != bool(job.kept_asset) or (job.region and job.uv != "keep"):
         raise UserError(
             "A region needs the asset that it is a part of, and its UV map.", "Use run.py edit."
@@ -127,25 +129,19 @@ def _check(job: Job) -> None:
             "A region gets its material anyway.", "Use retexture with reshape, or leave it out."
         )
     if not 0 <= job.guide_strength <= 1:  # false for NaN too
-        raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "It takes 0 to 1.")
+        raise UserError(f"The guide strength is {shown(job.guide_strength)}.", "Use 0 to 1.")
     if job.size_m and not SIZES[0] <= job.size_m <= SIZES[1]:
-        raise UserError(
-            f"The size is {shown(job.size_m)} m.", "It takes {:g} to {:g} m.".format(*SIZES)
-        )
+        raise UserError(f"The size is {shown(job.size_m)} m.", "Use {:g} to {:g} m.".format(*SIZES))
     for name in ("seed", "color_seed"):
         if not 0 <= getattr(job, name) < 2**63:
             raise UserError(
                 f"The {name.replace('_', ' ')} is {shown(getattr(job, name))}.",
-                "It takes a whole number from 0 to 2**63 - 1.",
+                "Use a whole number from 0 to 2**63 - 1.",
             )
     if job.texture_size and not 64 <= job.texture_size <= 8192:
-        raise UserError(
-            f"The texture size is {shown(job.texture_size)}.", "It takes 64 to 8192 texels."
-        )
+        raise UserError(f"The texture size is {shown(job.texture_size)}.", "Use 64 to 8192 texels.")
     if job.max_faces and job.max_faces < 100:
-        raise UserError(
-            f"The face budget is {shown(job.max_faces)}.", "It takes 100 faces or more."
-        )
+        raise UserError(f"The face budget is {shown(job.max_faces)}.", "Use 100 faces or more.")
 
 
 def _check_additions(job: Job) -> None:
@@ -154,7 +150,7 @@ def _check_additions(job: Job) -> None:
         if not number or not -MAX_STRENGTH <= strength <= MAX_STRENGTH:  # false for NaN too
             raise UserError(
                 f"The strength of the LoRA {shown(path)} is {shown(strength)}.",
-                f"It takes {-MAX_STRENGTH:g} to {MAX_STRENGTH:g}; 1 is as it was trained.",
+                f"Use {-MAX_STRENGTH:g} to {MAX_STRENGTH:g}; 1 is as it was trained.",
             )
     for path in (*job.loras, *job.embeddings):
         if not isinstance(path, str) or not path.strip():
@@ -179,7 +175,7 @@ def _check_text(name: str, value: Any) -> None:
         found = b"\0"
     if b"\0" in found:  # which ends a name where the system reads it
         raise UserError(
-            f"The {name.replace('_', ' ')} holds a byte that is no text.",
+            f"The {name.replace('_', ' ')} holds a byte that is not text.",
             "Type it again, in a terminal that uses UTF-8.",
         )
 
@@ -224,7 +220,7 @@ def _remove_half_a_line(file: BinaryIO) -> None:
 def read_events(run: Path) -> list[dict[str, Any]]:
     """All whole lines of a run's events.jsonl.
 
-    Raises UserError for a line that is no JSON object, and for a file too large.
+    Raises UserError for a line that is not a JSON object, and for a file too large.
     """
     path = run / "events.jsonl"
     if not path.exists():

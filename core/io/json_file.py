@@ -16,7 +16,7 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
     """The object in a JSON file.
 
     Raises:
-        UserError: the file cannot be read, is no UTF-8 or no JSON, is nested too deeply, has a
+        UserError: the file cannot be read, is not UTF-8 or not JSON, is nested too deeply, has a
             number beyond any machine's, or holds something other than an object.
     """
     try:
@@ -24,7 +24,7 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
         check_size(path, MAX_BYTES, fix)
         return parse_object(path.read_text(encoding="utf-8"), str(path), fix)
     except UnicodeDecodeError:
-        raise UserError(f"{path} is no UTF-8 text.", fix) from None
+        raise UserError(f"{path} is not UTF-8 text.", fix) from None
     except OSError as error:
         raise UserError(f"{path} cannot be read ({error.strerror}).", fix) from error
 
@@ -38,7 +38,7 @@ def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
     except UnicodeEncodeError:
         raise UserError(f"{name} holds half of a character.", fix) from None
     except ValueError as error:  # also a number of more digits than Python converts
-        raise UserError(f"{name} is no JSON ({str(error).split(';')[0]}).", fix) from None
+        raise UserError(f"{name} is not JSON ({str(error).split(';')[0]}).", fix) from None
     except RecursionError:
         raise UserError(f"{name} is nested too deeply.", fix) from None
     if not isinstance(data, dict):
@@ -47,7 +47,7 @@ def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
 
 
 def _refuse(constant: str) -> None:
-    raise ValueError(f"{constant} is no number of JSON")
+    raise ValueError(f"{constant} is not a number in JSON")
 
 
 def _whole(text: str) -> int:

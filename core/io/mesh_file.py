@@ -160,12 +160,12 @@ def _check_materials(path: Path, parts: list[_Part], needed: Needed) -> None:
     if bare:
         raise UserError(
             f"{bare} of the {len(parts)} parts of {path.name} have no UV map.",
-            "Unwrap them too, or take --uv auto without a base colour.",
+            "Unwrap them too, or use --uv auto without a base colour.",
         )
     if not _same_picture(parts):
         raise UserError(
-            f"{path.name} has several materials with textures of their own: no UV map is of all.",
-            "Bake them into one texture with one UV map, or take --uv auto without a base colour.",
+            f"{path.name} has several materials with textures of their own: no UV map covers all.",
+            "Bake them into one texture with one UV map, or use --uv auto without a base colour.",
         )
     if needed == "texture" and _pictures(parts) and not _same_colors(parts):
         raise UserError(

@@ -92,7 +92,7 @@ def plain_obj_text(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> st
 def read_obj(path: Path) -> Mesh:
     """The mesh as :func:`obj_text` wrote it.
 
-    Raises UserError for a file that is not there or is no triangle mesh with uv.
+    Raises UserError for a file that is not there or is not a triangle mesh with uv.
     """
     check_file(path, "mesh")
     check_size(path, MAX_BYTES, "Make the asset again.")
@@ -110,7 +110,7 @@ def read_obj(path: Path) -> Mesh:
     except (ValueError, RuntimeError, OverflowError) as error:  # Overflow: an index over 64 bits
         raise UserError(
             f"{path} is not the triangle mesh that was written there ({error}).",
-            "Make the asset again, or take the OBJ as a mesh: texture MESH.",
+            "Make the asset again, or use the OBJ as a mesh: texture MESH.",
         ) from error
     return Mesh(from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone())
 

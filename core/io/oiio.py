@@ -29,7 +29,7 @@ def read_pixels(path: Path, format: str) -> np.ndarray:
     """(H,W,C) of the file's own type (uint8, uint16, float32); ``format`` is "png" or "hdr".
 
     Raises UnreadableError for a file of another format, a broken one, or one too large; UserError
-    for a name that is no text.
+    for a name that is not text.
     """
     check_name(path)
     source = OpenImageIO.ImageInput.open(str(path), STRAIGHT_ALPHA)

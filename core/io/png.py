@@ -69,7 +69,7 @@ def write_png(path: Path, image: np.ndarray | Float[Tensor, "h w c"]) -> None:
     ``image`` is an array of uint8 or uint16, or a tensor of [0, 1] that already has the curve
     which the file shall have, and is written with 8 bits.
 
-    Raises UserError for a name that is no text, and as :func:`atomic_file`.
+    Raises UserError for a name that is not text, and as :func:`atomic_file`.
     """
     check_name(path)
     if isinstance(image, Tensor):
@@ -102,4 +102,6 @@ def read_png(path: Path) -> np.ndarray:
     try:
         return read_pixels(path, "png")
     except UnreadableError as error:
-        raise UserError(f"{path} is no readable PNG ({error}).", "Make the file again.") from error
+        raise UserError(
+            f"{path} is not a readable PNG ({error}).", "Make the file again."
+        ) from error

@@ -47,7 +47,7 @@ class RunFolder:
 
         Raises:
             UserError: the folder holds another run or other files, can't be written, or has a name
-                that is no text.
+                that is not text.
         """
         check_name(path)
         if (path / "job.json").exists():
@@ -78,7 +78,7 @@ class RunFolder:
         """An earlier run folder."""
         check_name(path)
         if not (path / "job.json").is_file():
-            raise UserError(f"{path} is no run folder: it has no job.json.", "Start a new run.")
+            raise UserError(f"{path} is not a run folder: it has no job.json.", "Start a new run.")
         return cls(path)
 
     def remove_half_written(self) -> None:

@@ -52,7 +52,7 @@ class Facts:
         path = own_file(self.folder / "asset" / "asset.glb", self.folder, REMAKE)
         data = path.read_bytes() if path.is_file() else b""
         if data[:4] != b"glTF":
-            raise UserError(f"{path} is no GLB.", REMAKE)
+            raise UserError(f"{path} is not a GLB file.", REMAKE)
         return data
 
 
@@ -82,7 +82,7 @@ def _events(folder: Path) -> list[dict[str, Any]]:
     except ValueError:
         events = [None]
     if not all(map(_is_event, events)):
-        raise UserError(f"{folder / 'events.jsonl'} holds a line that is no event.", REMAKE)
+        raise UserError(f"{folder / 'events.jsonl'} holds a line that is not an event.", REMAKE)
     return events
 
 

@@ -34,7 +34,7 @@ def write_report(run: Path, out: Path | None = None) -> Path:
     ``out``: None is report.html in the run folder.
 
     Raises:
-        UserError: no run folder or a broken one; ``out`` is a file that is no report.
+        UserError: no run folder or a broken one; ``out`` is a file that is not a report.
     """
     out = out or run / "report.html"
     facts = facts_of(run)
@@ -48,13 +48,13 @@ def write_report(run: Path, out: Path | None = None) -> Path:
 def _refuse_foreign(out: Path) -> None:
     """Only a report is replaced; anything else is somebody's work."""
     if out.suffix.lower() not in (".html", ".htm"):
-        raise UserError(f"{out} is no HTML file.", "Use a name that ends in .html.")
+        raise UserError(f"{out} is not an HTML file.", "Use a name that ends in .html.")
     if out.is_dir():
         raise UserError(f"{out} is a folder.", "Use another --out.")
     if out.exists():
         with out.open("rb") as file:
             if file.read(len(MARK)) != MARK:
-                raise UserError(f"{out} is no report, and would be lost.", "Use another --out.")
+                raise UserError(f"{out} is not a report, and would be lost.", "Use another --out.")
 
 
 def html(facts: Facts) -> str:
@@ -153,14 +153,14 @@ def _figure(path: Path, caption: str) -> str:
 def picture_url(path: Path, side: int = MAP_SIDE) -> str:
     """A picture as a data URL, at most ``side`` pixels wide.
 
-    Raises UserError for a file that is no picture.
+    Raises UserError for a file that is not a picture.
     """
     try:
         with Image.open(path) as file:
             # Normals have 16 bits a channel, which JPEG has not.
             picture = file.convert("RGB")
     except (OSError, ValueError) as error:
-        raise UserError(f"{path} is no picture ({error}).", "Make the asset again.") from None
+        raise UserError(f"{path} is not a picture ({error}).", "Make the asset again.") from None
     picture.thumbnail((side, side))
     packed = io.BytesIO()
     picture.save(packed, "JPEG", quality=88)

@@ -43,11 +43,9 @@ def check_body(mass: float | None, most: int) -> None:
     """Refuse what ``body_of`` refuses, before anything is made."""
     low, high = MASS
     if mass is not None and not low <= mass <= high:
-        raise UserError(
-            f"--mass is {mass:g}.", f"It takes kilograms, such as 4.5: {low:g} to {high:g}."
-        )
+        raise UserError(f"--mass is {mass:g}.", f"Use kilograms, such as 4.5: {low:g} to {high:g}.")
     if most < 1:
-        raise UserError(f"--hulls is {most}.", "It takes 1 or more.")
+        raise UserError(f"--hulls is {most}.", "Use 1 or more.")
 
 
 def density_of(info: dict[str, Any]) -> float:

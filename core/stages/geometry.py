@@ -112,7 +112,7 @@ def assembled_shape(
             lambda done: progress.advance("geometry", round(100 * done), 100),
         )
         if made is None:
-            raise NoSurfaceError("What was drawn has no surface.", "Use another seed.")
+            raise NoSurfaceError("The drawn solid has no surface.", "Use another seed.")
         verts, faces = made
         verts = verts if leash is None else leash.hold(verts)
         show_shape(run, verts, faces)

@@ -43,7 +43,7 @@ def start_picture(name: str, mesh: Mesh) -> Float[Tensor, "h w 3"]:
             srgb = _srgb(file)
     # SyntaxError and ValueError: a broken header, as PIL's readers raise it. Size: PIL's own bound.
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        raise UserError(f"{name} is no picture ({error}).", "Use a PNG or a JPEG.") from None
+        raise UserError(f"{name} is not a picture ({error}).", "Use a PNG or a JPEG.") from None
     return srgb_to_linear(torch.from_numpy(srgb))
 
 

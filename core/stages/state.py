@@ -130,5 +130,5 @@ class Training(Generic[Net]):
             i, name = key.split(".", 1)
             p = self.optimizer.parameters[int(i)]
             if name != "step" and value.shape != p.shape:
-                raise ValueError(f"{key} has another shape than its parameter")
+                raise ValueError(f"{key} does not have its parameter's shape")
             self.optimizer.state[p][name] = value.clone().to("cpu" if name == "step" else p.device)

@@ -64,7 +64,7 @@ def unwrap_shape(
         if not faults:
             return Unwrapped(UvMesh.of(shape))
         progress.warn(
-            f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
+            f"The mesh's own UV map cannot be used for a texture. {' '.join(faults)}",
             "A new one is made. To keep yours, unwrap it without overlaps inside the square.",
             stage="unwrap",
         )
@@ -96,7 +96,7 @@ def _with_own_uv(shape: Mesh, progress: Progress) -> UvMesh:
         progress.warn(OVERLAP, "That is right for mirrored parts.", stage="unwrap")
     if faults:
         raise UserError(
-            f"The mesh's own UV map can't take a texture. {' '.join(faults)}",
+            f"The mesh's own UV map cannot be used for a texture. {' '.join(faults)}",
             "Fix the UV map, or have a new one made.",
         )
     return UvMesh.of(shape)

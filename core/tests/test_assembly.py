@@ -23,7 +23,7 @@ from core.geometry.parts.components import (
 )
 from core.geometry.parts.fitting import Faces
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.matching import around, fitted_together, mirrored, slack_of
+from core.geometry.parts.matching import around, fitted_together, mirrored, similar_groups, slack_of
 from core.geometry.parts.primitives import Primitive, packed, unpacked
 from core.geometry.union import is_solid, union
 from core.render.normals import face_normals

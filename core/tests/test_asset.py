@@ -381,10 +381,10 @@ def break_asset(folder: Path, what: str) -> None:
 @pytest.mark.parametrize(
     ("what", "words"),
     [
-        ("json", "is no JSON"),
+        ("json", "is not JSON"),
         ("version", "version 9"),
         ("gone", "no picture"),
-        ("cut", "asset.json says"),
+        ("cut", "asset.json states"),
         ("words", "not the triangle mesh"),
         ("size", "the size of base_color.png"),
     ],
@@ -416,7 +416,7 @@ def test_a_strange_asset_json_is_one_sentence(folder: Path, text: "str | bytes")
 
 
 def test_no_asset_is_told(tmp_path: Path) -> None:
-    with pytest.raises(UserError, match="is no asset"):
+    with pytest.raises(UserError, match="is not an asset"):
         read_asset(tmp_path)
     (tmp_path / "job.json").write_text("{}")
     with pytest.raises(UserError, match="has not finished") as error:

@@ -132,7 +132,7 @@ def test_a_line_break_within_a_cell_ends_no_row(tmp_path, mark):
         ("seed\n3\n", "no column prompt"),
         ("prompt,seed\na chair, red,3\n", "Line 2 of .* has 3 cells, its header 2"),
         ("prompt,\na,b\n", "without a column's name"),
-        ('prompt\n"a\n', "line 2 of .* is no CSV"),
+        ('prompt\n"a\n', "line 2 of .* is not CSV"),
     ],
 )
 def test_a_wrong_table_is_refused_with_its_line(tmp_path, text, words):
@@ -232,7 +232,7 @@ def test_a_file_of_the_users_in_its_folder_is_never_replaced(table, tmp_path, ca
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / name).write_text("precious")
     assert main(["batch", *table("a chair\n", "t.txt")]) == 2
-    assert f"{name} that is not of a batch" in capsys.readouterr().err
+    assert f"{name} that does not belong to a batch" in capsys.readouterr().err
     assert [path.name for path in (tmp_path / "out").iterdir()] == [name]
     assert (tmp_path / "out" / name).read_text() == "precious"
 
@@ -501,7 +501,7 @@ def test_the_sheet_shows_each_asset_and_its_viewer(table, tmp_path, monkeypatch)
 
 def test_a_broken_asset_does_not_hide_the_others(table, tmp_path):
     assert main(["batch", *table("a chair\n", "t.txt")]) == 0  # the fake's has no picture
-    assert "is no picture" in (tmp_path / "out" / "contact_sheet.html").read_text()
+    assert "is not a picture" in (tmp_path / "out" / "contact_sheet.html").read_text()
 
 
 def test_an_asset_that_cannot_be_read_stops_no_other(table, tmp_path):
@@ -512,7 +512,7 @@ def test_an_asset_that_cannot_be_read_stops_no_other(table, tmp_path):
     assert main(["batch", *table("a chair\na mug\n", "t.txt")]) == 6
     broken, made_now = report(tmp_path)
     assert (broken["state"], made_now["state"]) == ("failed", "done")
-    assert "asset.json is no JSON" in broken["text"] and "Remove its folder" in broken["text"]
+    assert "asset.json is not JSON" in broken["text"] and "Remove its folder" in broken["text"]
 
 
 def test_a_job_that_cannot_be_read_stops_no_other(table, tmp_path):

@@ -149,7 +149,7 @@ def test_a_failed_rename_leaves_the_older_asset(tmp_path, monkeypatch):
         return real(path, to)
 
     monkeypatch.setattr(Path, "rename", rename)
-    with pytest.raises(UserError, match="may not be written"):
+    with pytest.raises(UserError, match="cannot be written: permission denied"):
         parcel.unpack(parcel.homeward(there, parcel.ASSET), here)
     assert (here / "asset" / "kept.json").read_text() == "old"
 

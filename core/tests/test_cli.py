@@ -55,7 +55,7 @@ def wrong(capsys, *argv):
         (["inspect", "nowhere"], "nowhere"),
         (["inspect", "x" * 300], "name too long"),
         (["generate", "a chair", "--out", "x" * 300], "name too long"),
-        (["generate", "a chair \udcff"], "a byte that is no text"),
+        (["generate", "a chair \udcff"], "a byte that is not text"),
         (["export", "nowhere", "--format", "glb", "--out", "x.glb"], "no asset"),
         (["genrate", "a chair"], "genrate"),
         ([], "COMMAND"),

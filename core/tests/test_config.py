@@ -39,18 +39,18 @@ def test_a_setting_reaches_its_field_and_no_other():
         ("geometry.views.more", "3", "no setting"),
         ("geometry.views", "many", "a whole number"),
         ("geometry.views", "3.5", "a whole number"),
-        ("geometry.eikonal", "nan", "geometry.eikonal is nan. It takes 0 to"),
+        ("geometry.eikonal", "nan", "geometry.eikonal is nan. Use 0 to"),
         ("geometry.eikonal", "inf", "0 to"),
         ("geometry.eikonal", "much", "a number"),
-        ("geometry.resolution", "0,0", "geometry.resolution is 0,0. It takes 4 to 512"),
+        ("geometry.resolution", "0,0", "geometry.resolution is 0,0. Use 4 to 512"),
         ("geometry.resolution", "64,100000", "4 to 512"),
         ("geometry.resolution", "inf,64", "2 numbers"),
-        ("geometry.radii", "nan,0.5,0.5", "geometry.radii is nan,0.5,0.5. It takes 0.05 to 1"),
+        ("geometry.radii", "nan,0.5,0.5", "geometry.radii is nan,0.5,0.5. Use 0.05 to 1"),
         ("geometry.radii", "0.5,inf,0.5", "0.05 to 1"),
-        ("geometry.coarse.steps", "-3", "geometry.coarse.steps is -3. It takes 0 to 1000000"),
+        ("geometry.coarse.steps", "-3", "geometry.coarse.steps is -3. Use 0 to 1000000"),
         ("geometry.coarse.steps", "1e9", "a whole number"),
         ("geometry.coarse.steps", float("inf"), "a whole number"),
-        ("geometry.views", "0", "geometry.views is 0. It takes 1 to"),
+        ("geometry.views", "0", "geometry.views is 0. Use 1 to"),
         ("geometry.views_at_once", "0", "1 to"),
         ("geometry.cameras.distance", "3,2", "1.5 to 9, rising"),
         ("geometry.cameras.fovy_deg", "0,0", "1 to 170"),
@@ -60,11 +60,11 @@ def test_a_setting_reaches_its_field_and_no_other():
         ("appearance.learning_rate", "0", "1e-09 to 1"),
         ("appearance.learning_rate_end", "0", "1e-06 to 1"),  # or only the first step would move
         ("appearance.metallic_start", "0", "0.001 to 0.999"),  # or it would never leave it
-        ("texture.size", "0", "texture.size is 0. It takes 64 to 8192"),
+        ("texture.size", "0", "texture.size is 0. Use 64 to 8192"),
         ("texture.size", "100000", "64 to 8192"),
         ("texture.max_faces", "-1", "100 to"),
         ("texture.samples", "0", "1 to 64"),
-        ("texture.samples", "5", "texture.samples is 5. It takes a square number from 1 to 64"),
+        ("texture.samples", "5", "texture.samples is 5. Use a square number from 1 to 64"),
         ("geometry.net.encoding", "spline", "hash or fourier"),
         ("appearance.rotate_light", "maybe", "true or false"),
         ("geometry.radii", "1,2", "3 numbers"),
@@ -101,7 +101,7 @@ def test_shading_model_is_a_setting() -> None:
     assert draft.appearance.shading == "lobes"
     with pytest.raises(UserError, match="appearance.shading is 'phong'") as caught:
         with_settings(draft, {"appearance.shading": "phong"})
-    assert caught.value.fix == "It takes lobes or split_sum or diffuse."
+    assert caught.value.fix == "Use lobes or split_sum or diffuse."
 
 
 def numbers(config, prefix=""):
@@ -128,7 +128,7 @@ def test_every_number_has_a_range_and_refuses_what_is_beyond_it():
             text = str(int(wrong) if whole and not isinstance(wrong, str) else wrong)
             with pytest.raises(UserError, match=rf"^{key} is ") as caught:
                 with_settings(draft, {key: ",".join([text] * n)})
-            assert "It takes" in caught.value.fix
+            assert caught.value.fix.startswith("Use ")
 
 
 def test_every_preset_is_in_its_ranges():
@@ -138,10 +138,10 @@ def test_every_preset_is_in_its_ranges():
 
 def test_a_config_is_checked_as_a_whole():
     draft = preset("draft")
-    with pytest.raises(UserError, match="texture.size is 7. It takes 64 to 8192"):
+    with pytest.raises(UserError, match="texture.size is 7. Use 64 to 8192"):
         check(replace(draft, texture=replace(draft.texture, size=7)))
     settings = {"geometry.fine.t_low": "0.9", "geometry.fine.t_high": "0.5,0.5"}
-    with pytest.raises(UserError, match="geometry.fine.t_low is 0.9. It takes no more than"):
+    with pytest.raises(UserError, match="geometry.fine.t_low is 0.9. Use no more than"):
         config_of(Job(prompt="a chair", settings=settings))
 
 

@@ -227,5 +227,5 @@ def test_a_method_is_a_setting_of_each_phase():
     assert config.geometry.fine == draft.geometry.fine
     late = replace(draft.appearance.late, distillation="sdi", inversion_steps=4)
     assert config.appearance.late == late
-    with pytest.raises(UserError, match="It takes sds or csd or sdi"):
+    with pytest.raises(UserError, match="Use sds or csd or sdi"):
         with_settings(draft, {"geometry.coarse.distillation": "vsd"})

@@ -359,7 +359,7 @@ def test_blenders_lights_are_found_by_name(tmp_path: Path, monkeypatch: pytest.M
     assert load_light("forest").shape == (8, 16, 3)
     assert load_light("blender:forest").shape == (8, 16, 3)
     (tmp_path / "elsewhere" / "forest").mkdir(parents=True)
-    monkeypatch.chdir(tmp_path / "elsewhere")  # a folder of that name is no light
+    monkeypatch.chdir(tmp_path / "elsewhere")  # a folder of that name is not a light
     assert load_light("forest").shape == (8, 16, 3)
     with pytest.raises(MissingError, match="no light 'desert'") as error:
         load_light("desert")

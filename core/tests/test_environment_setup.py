@@ -66,14 +66,14 @@ def test_an_interpreter_may_be_given(box):
     assert box.ensure("blender") == box.python
     assert not box.log, "it is used as it is"
     box.patch.setenv("FANTASIA3D_PYTHON", "/no/python")
-    with pytest.raises(environment.SetupError, match=r"/no/python, which is no program"):
+    with pytest.raises(environment.SetupError, match=r"/no/python, which is not a program"):
         box.ensure()
 
 
 @pytest.mark.parametrize(
     ("program", "lacks", "words"),
     [
-        ("/bin/true", "", r"/bin/true, which is no Python; it must be Python 3\.11"),
+        ("/bin/true", "", r"/bin/true, which is not a Python; it must be Python 3\.11"),
         ("", "torch, bpy", "which has no torch, bpy"),
     ],
 )
@@ -88,7 +88,7 @@ def test_doctor_says_that_a_program_is_no_python(box):
     box.patch.setenv("FANTASIA3D_PYTHON", "/bin/true")
     lines = {line.name: line for line in environment.examine(box.root)}
     assert lines["packages"].state == "MISSING"
-    assert "/bin/true is no Python" in lines["packages"].text
+    assert "/bin/true is not a Python" in lines["packages"].text
     assert "FANTASIA3D_PYTHON" in lines["packages"].text, "a set-up would not mend it"
 
 

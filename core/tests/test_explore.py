@@ -112,7 +112,7 @@ def test_a_picture_of_the_users_is_never_replaced(command, shapes, tmp_path, cap
     mine.write_text("precious")
     what = PROMPT if command == "explore" else str(shapes / "candidate-2")
     assert main([command, what, "--out", str(tmp_path)]) == 2
-    assert "is not of candidates" in capsys.readouterr().err
+    assert "does not belong to candidates" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == [mine] and mine.read_text() == "precious"
 
 

@@ -82,7 +82,8 @@ def test_unreadable_pictures_are_told(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("number", "words"), [(errno.ENOSPC, "disk is full"), (errno.EACCES, "may not be written")]
+    ("number", "words"),
+    [(errno.ENOSPC, "disk is full"), (errno.EACCES, "cannot be written: permission denied")],
 )
 def test_what_the_disk_refuses_is_told(tmp_path: Path, number: int, words: str) -> None:
     """The older file stays, nothing lies beside it."""

@@ -39,5 +39,5 @@ def test_an_asset_elsewhere_is_made_again_with_what_has_a_name(names, tmp_path) 
 @pytest.mark.parametrize("field", ["light", "guidance", "guide_mesh"])
 def test_an_asset_whose_files_are_not_here_says_which(field, tmp_path) -> None:
     job = Job(prompt="a chair", **{field: "/files/none.hdr"})
-    with pytest.raises(UserError, match="made from 'none.hdr', which is not here"):
+    with pytest.raises(UserError, match="made from 'none.hdr', which is missing"):
         job_to_verify(*asset_of(job, tmp_path / "copy"))

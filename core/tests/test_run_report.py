@@ -120,7 +120,11 @@ def test_a_curve_falls_as_its_values_do():
 
 @pytest.mark.parametrize(
     ("name", "words"),
-    [("notes.html", "is no report"), ("report.txt", "no HTML"), ("folder.html", "is a folder")],
+    [
+        ("notes.html", "is not a report"),
+        ("report.txt", "not an HTML"),
+        ("folder.html", "is a folder"),
+    ],
 )
 def test_a_foreign_file_is_not_replaced(tmp_path, name, words):
     run, out = made(tmp_path), tmp_path / name

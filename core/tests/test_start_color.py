@@ -75,7 +75,7 @@ def test_a_picture_is_read_as_srgb_and_the_meshs_own_is_taken_as_it_is(tmp_path)
     ("name", "mesh", "message"),
     [
         ("none.png", WALL, "There is no file"),
-        (__file__, WALL, "is no picture"),
+        (__file__, WALL, "is not a picture"),
         ("mesh", WALL, "holds no texture"),
         ("mesh", Mesh(CORNERS, FACES), "no UV map"),
     ],

@@ -201,7 +201,7 @@ def test_an_output_that_is_full_is_a_sentence_and_2(line):
         process = launched(*line, stdout=full)
         _, err = process.communicate(timeout=60)
     assert process.returncode == 2
-    assert err.startswith("error: What was asked for cannot be printed: No space left"), err
+    assert err.startswith("error: The output cannot be printed: No space left"), err
     assert err.count("\n") == 1
 
 

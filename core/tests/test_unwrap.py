@@ -139,10 +139,10 @@ def test_nothing_to_unwrap() -> None:
         unwrap(verts * float("nan"), faces, SIZE)
 
 
-def test_so_many_pieces_that_the_gaps_fill_it(monkeypatch) -> None:
+def test_so_many_islands_that_the_gaps_fill_it(monkeypatch) -> None:
     monkeypatch.setattr(packing, "PASSES", 1)
     soup = torch.rand(900, 3, generator=torch.Generator().manual_seed(0))
-    with pytest.raises(UserError, match="300 pieces, and a texture of 64 texels") as caught:
+    with pytest.raises(UserError, match="has 300 UV islands, and a texture of 64 texels") as caught:
         unwrap(soup, torch.arange(900).view(-1, 3), 64)
     assert "Merge" in caught.value.fix
 

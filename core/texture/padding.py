@@ -22,8 +22,8 @@ def nearest_covered(covered: Bool[Tensor, "h w"]) -> Int[Tensor, " n"]:
     height, width = covered.shape
     if not bool(covered.any()):
         raise UserError(
-            f"No texel of the {width} x {height} texture lies on the surface.",
-            "Take a larger --texture-size, or give a mesh whose UV map has an area.",
+            f"No texel of the {width} x {height} texture is on the surface.",
+            "Use a larger --texture-size, or give a mesh whose UV map has an area.",
         )
     empty = ~covered.cpu().numpy()
     if not empty.any():

@@ -37,7 +37,7 @@ def read_faces(path: Path, count: int) -> Bool[Tensor, " f"]:
     """
     check_file(path, fix="Check the path of the faces.")
     check_size(path, MAX_BYTES, "Name each face once.")
-    fix = "Write a number a line, as mesh.obj orders its faces, from 0 on."
+    fix = "Write one face number per line, in mesh.obj's order, from 0."
     chosen = torch.zeros(count, dtype=torch.bool)
     for word in path.read_bytes().decode("utf-8-sig", "replace").split():
         if not (word.isdecimal() and word.isascii() and len(word) < 12 and int(word) < count):

@@ -64,7 +64,7 @@ def grid_side(samples: int) -> int:
     """Points along one side of a texel."""
     side = round(samples**0.5)
     if side * side != samples or samples < 1:
-        raise UserError(f"A texel takes {samples} samples.", "Take a square number: 1, 4, 9 or 16.")
+        raise UserError(f"A texel takes {samples} samples.", "Use a square number: 1, 4, 9 or 16.")
     return side
 
 
@@ -108,7 +108,7 @@ def barycentric(at: Float[Tensor, "n 2"], corners: Float[Tensor, "n 3 2"]) -> Fl
     return torch.stack([(1 - of_b - of_c).clamp(min=0), of_b, of_c], -1)
 
 
-OVERLAP = "Some faces of the UV map lie over others, so they share their texels."
+OVERLAP = "Some faces of the UV map overlap, so they share texels."
 
 
 def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int = 512) -> list[str]:
@@ -120,7 +120,7 @@ def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int 
     a, b, c = uv[face_uvs].double().unbind(1)
     area = _cross(b - a, c - a).abs() / 2
     if bool(((uv < -1e-4) | (uv > 1 + 1e-4)).any()):
-        faults.append("Some of the UV map lies outside the unit square.")
+        faults.append("Part of the UV map is outside the unit square.")
     if float((area < 1e-12).double().mean()) > 0.02:
         faults.append("More than 2 % of the faces have no area in the UV map.")
     seen = sum(len(band.index) for band in texel_bands(uv, face_uvs, size, 1)) / size**2

@@ -60,7 +60,7 @@ def unwrap(
     if len(faces) > MAX_FACES:
         raise UserError(
             f"The mesh has {len(faces):,} faces; the unwrap takes {MAX_FACES:,} at most.",
-            "Take a smaller --max-faces, or give the mesh a UV map of its own.",
+            "Use a smaller --max-faces, or give the mesh a UV map of its own.",
         )
     if not len(faces) or not bool(torch.isfinite(verts).all()):
         raise UserError(
@@ -75,9 +75,9 @@ def unwrap(
     out = pack(*flat, PADDING / size, lambda x: progress(0.6 + 0.2 * x))
     if out is None:
         raise UserError(
-            f"The mesh comes apart into {int(flat[2].max()) + 1:,} pieces, and a texture of "
-            f"{size} texels has no room for so many.",
-            "Join its faces (Blender: Mesh > Merge > By Distance), or take a larger texture.",
+            f"The mesh has {int(flat[2].max()) + 1:,} UV islands, and a texture of {size} texels "
+            "has no room for so many.",
+            "Join its faces (Blender: Mesh > Merge > By Distance), or use a larger texture.",
         )
     out, face_uvs = cut_to_fill(p, f, flat, out, size, lambda x: progress(0.8 + 0.19 * x))
     return Unwrapped(torch.from_numpy(out).to(verts), torch.from_numpy(face_uvs).to(faces))

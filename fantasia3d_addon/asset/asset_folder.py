@@ -80,7 +80,7 @@ def read_asset(folder: Path) -> AssetFolder:
     """The asset in ``folder``, which may also be the run folder around it.
 
     Raises:
-        AssetError: the folder is no asset, or a part of it is missing or broken.
+        AssetError: the folder is not an asset, or a part of it is missing or broken.
     """
     folder = asset_in(folder)
     info = read_info(folder)
@@ -108,7 +108,7 @@ def read_asset(folder: Path) -> AssetFolder:
         if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < 1e4:
             raise AssetError(
                 f"asset.json of {folder} has the strength or ior {number!r} of a map.",
-                "It takes a number from 0 to 10000.",
+                "Use a number from 0 to 10000.",
             )
     return asset
 
@@ -122,7 +122,7 @@ def _files_by_role(folder: Path, info: dict[str, Any]) -> dict[str, tuple[Path, 
         # An asset may come from anywhere: it must not pack other files into the .blend.
         if not _is_plain_name(name):
             raise AssetError(
-                f"asset.json of {folder} names {name!r}, which is no file name.", REMAKE
+                f"asset.json of {folder} names {name!r}, which is not a file name.", REMAKE
             )
         files[entry["role"]] = (folder / name, entry)
     for role in ("mesh", *ROLES, *(role for role in OPTIONAL if role in files)):
@@ -168,7 +168,7 @@ def read_info(folder: Path) -> dict[str, Any]:
                 "Resume it, under Jobs or by run.py resume.",
             ) from None
         raise AssetError(
-            f"{folder} is no asset: it has no asset.json.",
+            f"{folder} is not an asset: it has no asset.json.",
             "Choose the folder named asset in a run folder.",
         ) from None
     except (OSError, ValueError) as error:
@@ -177,7 +177,7 @@ def read_info(folder: Path) -> dict[str, Any]:
         raise AssetError(f"{path} names no files.", REMAKE)
     for name in ("prompt", "light"):
         if not isinstance(info.get(name, "") or "", str):
-            raise AssetError(f"{path} has a {name} that is no text.", REMAKE)
+            raise AssetError(f"{path} has a {name} that is not text.", REMAKE)
     if info.get("version") != VERSION:
         raise AssetError(
             f"{path} has version {info.get('version')!r}; this add-on reads {VERSION}.",
@@ -193,14 +193,14 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     as they are in the file.
 
     Raises:
-        AssetError: the file is no triangle mesh with a uv for each corner.
+        AssetError: the file is not a triangle mesh with a uv for each corner.
     """
     try:
         require_file(path)
         lines = path.read_bytes().splitlines()
     except OSError as error:
         raise AssetError(f"{path} can't be read ({error.strerror}).", REMAKE) from None
-    broken = AssetError(f"{path} is no triangle mesh with a uv for each corner.", REMAKE)
+    broken = AssetError(f"{path} is not a triangle mesh with a uv for each corner.", REMAKE)
     try:
         with np.errstate(over="ignore"):  # beyond single precision: not finite, and refused below
             verts = _numbers(lines, b"v ", 3).astype(np.float32)
@@ -233,7 +233,7 @@ def _check_png(path: Path) -> None:
     # The header's width and height.
     width, height = int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
     if head[:8] != PNG or not width * height or end != b"IEND":
-        raise AssetError(f"{path} is no picture, or an incomplete one.", REMAKE)
+        raise AssetError(f"{path} is not a picture, or an incomplete one.", REMAKE)
     if width * height > MAX_PIXELS:
         raise AssetError(f"{path} declares {width} x {height} pixels, which is too many.", REMAKE)
 

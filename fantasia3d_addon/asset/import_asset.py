@@ -27,7 +27,7 @@ def import_asset(
     mode stay as they are. Where the collection is another file's, it goes into the scene's own.
 
     Raises:
-        AssetError: the folder is no asset, or an incomplete one; nothing of it is left in the file.
+        AssetError: the folder is not an asset, or not a complete one; the file is left unchanged.
     """
     asset = folder if isinstance(folder, AssetFolder) else read_asset(Path(folder))
     name = data_name(asset.prompt)

@@ -68,7 +68,7 @@ def density_of(obj: bpy.types.Object, usual: float) -> float:
         density = float(obj.get(DENSITY, usual))
     if not 0 < density < math.inf:
         raise AddonError(
-            f"The density of {obj.name} is no number above 0.",
+            f"The density of {obj.name} is not a number above 0.",
             f"Change its custom property {DENSITY}, in kg/m³, or remove it.",
         )
     return density

@@ -142,7 +142,7 @@ def _physics(args: argparse.Namespace, objs: list[bpy.types.Object], is_empty: b
     last = first + args.frames - 1
     at = last if args.at is None else args.at
     if not first <= at <= last:
-        raise AddonError(f"--at is {at}.", f"It takes a frame from {first} to {last}.")
+        raise AddonError(f"--at is {at}.", f"Use a frame from {first} to {last}.")
     kind, chosen = args.kind.upper(), simulation.Options(**settings)
     simulation.simulate(obj, kind, chosen)
     note = simulation.note_of(obj, kind, chosen)

@@ -17,10 +17,10 @@ from ..options import Option
 ASSET = "an asset or run folder; or the name of a mesh object of the open file"
 JOBS = ("generate", "texture", "resume")  # the core's commands whose asset Blender may import
 ENGINES = ("godot", "unity", "unreal")  # into a folder
-# The formats that the core does not write.
+# The formats that only Blender writes.
 EXPORTS = ("usd", "usdc", "usda", "usdz", "fbx", *ENGINES)
 NAMES_OR_PATHS = ("light", "guidance")  # options that are one or the other
-AS_WRITTEN = ("asset", "run", "path", "table")  # arguments of which the core expands no ~
+AS_WRITTEN = ("asset", "run", "path", "table")  # arguments whose ~ the core does not expand
 
 
 class Commands(Protocol):
@@ -31,19 +31,19 @@ class Commands(Protocol):
         ...
 
     def __getitem__(self, name: str) -> argparse.ArgumentParser:
-        """A command that is there."""
+        """An existing command."""
         ...
 
 
 def add_blender_commands(commands: Commands) -> None:
-    """Blender's own commands, and what Blender adds to the core's."""
+    """Add Blender's own commands, and its options of the core's commands."""
     for name in JOBS:
         _add_file(commands[name], "--blend", "FILE.blend", "import the asset and save the scene")
         _add_file(commands[name], "--render", "FILE.png", "render the asset in Cycles")
     _add(commands["export"], options.FLIP_NORMAL_Y)
     _add(commands["export"], options.MATERIAL, default=None)
-    lod = commands.add("lod", "An asset with fewer triangles, its UVs and maps kept.")
-    remesh = commands.add("remesh", "An asset as quads, with UVs and maps of its own.")
+    lod = commands.add("lod", "An asset with fewer triangles; its UVs and maps are kept.")
+    remesh = commands.add("remesh", "An asset as quads, with new UVs and maps.")
     for command in (lod, remesh):
         command.add_argument("asset", metavar="ASSET", help=ASSET)
         command.add_argument(
@@ -56,17 +56,17 @@ def add_blender_commands(commands: Commands) -> None:
     _add(remesh, options.QUADS, flag="--max-faces")
     _add(remesh, options.BAKE_SIZE)
     relight = commands.add(
-        "relight", "An asset in another light: picture, turntable, Blender file."
+        "relight", "An asset in another light: a picture, a turntable, a Blender file."
     )
     physics = commands.add("physics", "An asset simulated and baked; --render shows one frame.")
-    cornell = commands.add("cornell", "Assets next to each other in a Cornell box.")
+    cornell = commands.add("cornell", "Assets side by side in a Cornell box.")
     for command in (relight, physics):
         command.add_argument("asset", metavar="ASSET", help=ASSET)
     cornell.add_argument("asset", metavar="ASSET", nargs="+", help=ASSET)
     cornell.add_argument(
         "--same-size",
         action="store_true",
-        help="each as large as the largest: a ring is lost beside a tiger",
+        help="scale each to the size of the largest: a ring next to a tiger is hard to see",
     )
     _add_relight(relight)
     _add_physics(physics)
@@ -74,7 +74,7 @@ def add_blender_commands(commands: Commands) -> None:
 
 
 def runs_in_blender(args: argparse.Namespace) -> bool:
-    """Whether Blender alone carries the command out."""
+    """Whether only Blender can carry the command out."""
     if args.command == "export":
         changed = bool(args.material) or args.flip_normal_y
         return changed or args.format.lower() in (*EXPORTS, "blend")
@@ -87,14 +87,15 @@ def saves_blend(args: argparse.Namespace) -> bool:
 
 
 def imports_asset(args: argparse.Namespace) -> bool:
-    """Whether Blender takes the asset that the core makes."""
+    """Whether Blender imports the asset that the core makes."""
     return args.command in JOBS and bool(args.blend or args.render)
 
 
 def unknown_home(args: argparse.Namespace) -> tuple[str, str] | None:
-    """What is wrong with a path in the home folder of nobody, and what to do; None: there is none.
+    """The fault and the fix of a path in a home folder that does not exist; None: no such path.
 
-    An asset, a run, a mesh or a table is looked for as it is written, and may have such a name.
+    The path of an asset, a run, a mesh or a table is used as it is written, and may have such a
+    name.
     """
     for name, value in vars(args).items():
         for path in value if isinstance(value, list) else [value]:
@@ -108,7 +109,7 @@ def unknown_home(args: argparse.Namespace) -> tuple[str, str] | None:
 
 
 class _Once(argparse.Action):
-    """A file that may be named once: of two, one would be lost without a word."""
+    """A file that may be given only once: of two, one would be lost silently."""
 
     def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
         if getattr(namespace, self.dest) is not None:

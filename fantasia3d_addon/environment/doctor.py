@@ -139,7 +139,7 @@ def _packages(python: str, pins: Sequence[str], given: bool = False) -> list[Lin
     try:
         facts = json.loads(done.stdout.decode("utf-8").splitlines()[-1])
     except (ValueError, IndexError):
-        return [Line("packages", MISSING, f"{python} is no Python; {fix}")]
+        return [Line("packages", MISSING, f"{python} is not a Python; {fix}")]
     lines = [Line("packages", OK, f"as pinned, under Python {facts['python']}")]
     if facts["wrong"]:
         lines = [Line("packages", MISSING, f"{', '.join(facts['wrong'])}; {fix}")]

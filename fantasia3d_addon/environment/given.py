@@ -33,12 +33,12 @@ def given_python(given: str, groups: Sequence[str]) -> Path:
     """The interpreter that FANTASIA3D_PYTHON names, if it has the packages of ``groups``.
 
     Raises:
-        SetupError: it is no program, no Python, too old, or lacks packages.
+        SetupError: it is not a program, not a Python, too old, or lacks packages.
     """
     found = shutil.which(str(expanded(given, SetupError)))
     fix = "Set it to a Python that has this project's packages, or unset it."
     if not found:
-        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is no program.", fix)
+        raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is not a program.", fix)
     wanted = [name for group in groups for name in MODULES.get(group, ())]
     code = machine.NOT_FROM_HERE + LOOK
     version, _, absent = machine.output([found, "-c", code, *wanted]).partition("|")

@@ -179,14 +179,14 @@ def _no_python(given: Path | None, without_venv: dict[str, str]) -> SetupError:
         )
     if given:
         return SetupError(
-            f"{given} is no Python {ANY_PYTHON} of 64 bits.",
+            f"{given} is not a 64-bit Python {ANY_PYTHON}.",
             f"Choose the program python{PYTHONS[0]} itself, or leave the field empty.",
         )
     fix = "Install one next to the Python you have: from python.org or from your system's packages"
     fix += "." if _in_blender() else f", or with `uv python install {PYTHONS[0]}`."
     return SetupError(
         f"Python {ANY_PYTHON} is not on this machine (this one is {sys.version.split()[0]}), "
-        "and the method's packages are made for these versions alone.",
+        "and the method's packages exist only for these versions.",
         fix,
     )
 

@@ -62,7 +62,7 @@ def write_report(file: Path, root: Path, lines: Sequence[Line]) -> Path:
             f"{file} exists and is not a report of this project.", "Name another file."
         )
     text = json.dumps(facts(root, lines), indent=1, ensure_ascii=False) + "\n"
-    # Half a surrogate pair, as of a job.json or of a path that is no text, as JSON has it.
+    # Half a surrogate pair, as of a job.json or of a path that is not text, as JSON has it.
     text = text.encode(errors="backslashreplace").decode()
     name = None
     try:

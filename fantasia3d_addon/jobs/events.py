@@ -79,7 +79,7 @@ def parse_event(line: bytes) -> Event:
 
 
 def event_object(line: bytes) -> dict[str, Any] | None:
-    """The JSON object of one line of events.jsonl; None where it is no event."""
+    """The JSON object of one line of events.jsonl; None where it is not an event."""
     try:
         data = parse_json(line)
     except ValueError:

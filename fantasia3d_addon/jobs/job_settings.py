@@ -130,7 +130,7 @@ def guidance_of(settings: Settings) -> str:
     is_folder = is_file(path / "model_index.json")
     if not settings.model_folder.strip() or not (is_one or is_folder):
         raise AddonError(
-            "What is chosen is no Stable Diffusion model.",
+            "The chosen file or folder is not a Stable Diffusion model.",
             "Choose a .safetensors file, or the folder that contains model_index.json.",
         )
     return str(path.resolve())

@@ -111,7 +111,7 @@ def cluster_address(text: str) -> str:
     # Nothing before an @: a password would be readable in the command line.
     if not re.fullmatch(r"https?://(\[[0-9A-Fa-f:.]+\]|[\w.-]+)(:\d+)?(/[\w./-]*)?", text):
         raise JobError(
-            "The address of the Ray cluster is none.",
+            "The address of the Ray cluster is not valid.",
             "Enter http://HOST:8265 in the add-on's preferences.",
         )
     return text

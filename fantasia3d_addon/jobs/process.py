@@ -212,7 +212,7 @@ class Run:
         except OSError:  # not written yet; or the folder is gone, and the core ends by itself
             return []
         whole = chunk[: chunk.rfind(b"\n") + 1]
-        # A line as long as that is no event of ours.
+        # A line as long as that is not an event of ours.
         self._offset += len(whole) or (CHUNK if len(chunk) == CHUNK else 0)
         return [parse_event(line) for line in whole.splitlines() if line.strip()]
 

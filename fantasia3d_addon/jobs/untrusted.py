@@ -16,7 +16,7 @@ def read_object(path: Path) -> dict[str, Any]:
     """The JSON object in ``path``.
 
     Raises:
-        ValueError: it is no JSON object, or holds text that UTF-8 cannot.
+        ValueError: it is not a JSON object, or holds text that UTF-8 cannot.
         OSError: it can't be read.
     """
     require_file(path)

@@ -57,7 +57,7 @@ def save_to_library(obj: bpy.types.Object, folder: Path) -> Path:
     The file is NAME.blend; an older one of that name is replaced. Mark ``obj`` as an asset before.
 
     Raises:
-        AddonError: ``obj`` is no asset yet.
+        AddonError: ``obj`` is not an asset yet.
         OutputError: the folder does not exist or can't be written.
     """
     if not obj.asset_data:

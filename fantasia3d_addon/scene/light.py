@@ -72,7 +72,7 @@ def set_world(
     column is at +X, its top at +Z.
 
     Raises:
-        LightError: the file is no picture.
+        LightError: the file is not a picture.
     """
     image = _load(path)
     world = bpy.data.worlds.new(WORLD)
@@ -223,7 +223,7 @@ def _load(path: Path) -> bpy.types.Image:
         raise LightError(f"{path} can't be read ({error}).", "Use an HDR or EXR file.") from None
     if 0 in image.size:  # Blender loads any file, and reports nothing
         bpy.data.images.remove(image)
-        raise LightError(f"{path} is no picture.", "Use an HDR or EXR file.")
+        raise LightError(f"{path} is not a picture.", "Use an HDR or EXR file.")
     if not _is_finite(image):
         bpy.data.images.remove(image)
         raise LightError(

@@ -37,7 +37,7 @@ def relight(
     ``rotation_deg`` turns the light counter-clockwise seen from above.
 
     Raises:
-        LightError: there is no such light, or it is no picture.
+        LightError: there is no such light, or it is not a picture.
     """
     return light.set_world(scene, light.light_file(name_or_path), strength, rotation_deg)
 
@@ -128,7 +128,7 @@ def _check(out: Path, frames: int, turn: str) -> None:
     video = out.suffix.lower() == ".mp4"
     if not video and out.suffix:
         raise OutputError(
-            f"{out.name} is no MP4 file.", "Use a file.mp4, or a folder for PNG files."
+            f"{out.name} is not an MP4 file.", "Use a file.mp4, or a folder for PNG files."
         )
     if video and not compat.has_video():
         raise OutputError("This Blender writes no MP4.", "Use a folder for PNG files instead.")

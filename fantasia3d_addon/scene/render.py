@@ -115,7 +115,7 @@ def render_still(path: Path, obj: bpy.types.Object, backdrop: bool = True) -> No
     """
     scene = bpy.context.scene
     if path.suffix.lower() not in FORMATS:
-        raise OutputError(f"{path} is no picture.", f"Its name ends in {', '.join(FORMATS)}.")
+        raise OutputError(f"{path} is not a picture.", f"Its name ends in {', '.join(FORMATS)}.")
     in_front = _backdrop(scene, obj) if backdrop else contextlib.nullcontext()
     with temporary_output(path) as temporary, in_front:
         scene.render.image_settings.file_format = FORMATS[path.suffix.lower()]

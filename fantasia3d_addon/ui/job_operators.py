@@ -133,7 +133,7 @@ class FANTASIA3D_OT_job_import(RunOperator, bpy.types.Operator):
         except USER_ERRORS as error:
             return report_error(self, error)
         if target.object:
-            what = f"“{target.object}” of the job's file is not here, or its mesh was changed."
+            what = f"“{target.object}” of the job's file is missing, or its mesh was changed."
             self.report({"INFO"}, in_language(f"{what} The asset is a new object: “{obj.name}”."))
         return {"FINISHED"}
 

@@ -95,7 +95,7 @@ def import_and_select(context: bpy.types.Context, folder: Path) -> bpy.types.Obj
     """Import the asset in ``folder`` where the panel's setting places it, select and show it.
 
     Raises:
-        AddonError: the folder is no asset.
+        AddonError: the folder is not an asset.
     """
     asset, target = read_asset(folder), session.target_here(context)
     obj = import_asset(context, asset, place_of(context.scene, target, bounds_of(asset)))

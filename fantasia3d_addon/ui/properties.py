@@ -177,7 +177,7 @@ class FANTASIA3D_PG_settings(bpy.types.PropertyGroup):
     )
     size: FloatProperty(
         name="Size",
-        description="Length of the longest side; 0: as the prompt says, or the thing's usual size",
+        description="Length of the longest side; 0: as stated in the prompt, or the usual size",
         default=0.0,
         min=0.0,
         max=1000.0,

@@ -26,7 +26,7 @@ def wrapped_label(
 ) -> None:
     """Text of any length, in lines that fit the region; ``dimmed`` for the less important.
 
-    ``as_it_is``: of the user's, such as a prompt, which is no message.
+    ``as_it_is``: of the user's, such as a prompt, which is not a message.
     """
     column = layout.column(align=True)
     column.active = not dimmed

@@ -104,7 +104,7 @@ else:
     train("geometry", 10_000 if prompt in ("long", "deaf") else 5, 0.01, shows=False)
 if "--until" in sys.argv:
     preview(0.5)
-    report("paused", text="The shape can be looked at.", fix="Finish it.")
+    report("paused", text="The shape is ready to look at.", fix="Finish it.")
     sys.exit(0)
 if prompt == "nonsense":
     with events.open("a", encoding="utf-8") as file:
