@@ -271,7 +271,7 @@ BREAKS = {
                 files=json.loads((f / "asset.json").read_text())["files"]
                 | {name: {"role": "base_color"}},
             ),
-            "no file name",
+            "is not a file name",
         )
         for name in ("../../secret.png", "/etc/secret.png", "C:\\secret.png", "..", "a/b.png")
     },

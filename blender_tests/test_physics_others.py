@@ -111,7 +111,7 @@ def test_what_falls_next_to_it_keeps_its_fall_when_the_second_is_refused(obj, as
     fall(obj, 0.3)
     fall(other, 3.0)
     before, obj[DENSITY] = path(other), "heavy"
-    with pytest.raises(AddonError, match="no number above 0"):
+    with pytest.raises(AddonError, match="is not a number above 0"):
         fall(obj, 0.3)
     np.testing.assert_allclose(path(other), before, atol=0.01)
 
@@ -285,7 +285,7 @@ def test_an_earlier_versions_asset_may_have_another_name_by_now(obj, asset):
 @pytest.mark.parametrize("density", ["heavy", 0, -1.0])
 def test_a_density_that_is_none_is_a_sentence(obj, density):
     obj[DENSITY] = density
-    with pytest.raises(AddonError, match="no number above 0"):
+    with pytest.raises(AddonError, match="is not a number above 0"):
         fall(obj, 0.0)
     assert names() == {obj.name}
 

@@ -100,7 +100,7 @@ def test_a_simulators_body_gets_them_too(obj, tmp_path):
     found = np.array([line.split()[1:] for line in lines if line.startswith("vt ")], float)
     np.testing.assert_allclose(found.max(0), own.max(0), atol=1e-4)
     obj[DENSITY] = "heavy"
-    with pytest.raises(AddonError, match="no number above 0"):
+    with pytest.raises(AddonError, match="is not a number above 0"):
         print_export._write_asset(obj, tmp_path)
 
 

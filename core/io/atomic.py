@@ -101,7 +101,8 @@ def disk_errors(path: Path) -> Iterator[None]:
             raise UserError(f"The disk is full: {path} was not written.", "Make room.") from error
         if error.errno in FORBIDDEN:
             raise UserError(
-                f"{path} cannot be written: permission denied.", "Choose another folder."
+                f"{path} cannot be written: {os.strerror(error.errno).lower()}.",
+                "Choose another folder.",
             ) from error
         if isinstance(error, MISPLACED):
             raise UserError(

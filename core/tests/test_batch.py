@@ -143,7 +143,7 @@ def test_a_wrong_table_is_refused_with_its_line(tmp_path, text, words):
 
 def test_a_table_that_is_no_text_is_refused(tmp_path):
     (tmp_path / "t.csv").write_bytes(b"prompt\n\xff\xfe\n")
-    with pytest.raises(UserError, match="no UTF-8"):
+    with pytest.raises(UserError, match="is not UTF-8"):
         read_table(tmp_path / "t.csv")
     with pytest.raises(UserError, match="is a folder"):
         read_table(tmp_path)
@@ -399,7 +399,7 @@ def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
     assert main(["batch", *argv, "--at-once", "2"]) == 130
     said = capsys.readouterr().err
     assert said.count("Stopping after the present step") == 1
-    assert "0 of 3 are done. The same command goes on" in said
+    assert "0 of 3 are done. The same command continues it" in said
     assert [r["state"] for r in report(tmp_path)] == ["unfinished", "unfinished", "missing"]
     assert main(["batch", *argv, "--at-once", "2"]) == 0
     starts = [sessions(tmp_path / "out" / r["folder"]) for r in report(tmp_path)]
@@ -418,7 +418,7 @@ def test_one_ctrl_c_waits_for_a_step_longer_than_a_second(table, tmp_path, monke
 
     threading.Thread(target=interrupt).start()
     assert main(["batch", *argv]) == 130
-    assert "0 of 1 are done. The same command goes on" in capsys.readouterr().err
+    assert "0 of 1 are done. The same command continues it" in capsys.readouterr().err
     (row,) = report(tmp_path)
     assert read_events(tmp_path / "out" / row["folder"])[-1]["type"] == "cancelled"
     assert (tmp_path / "out" / "contact_sheet.html").exists()
@@ -464,8 +464,8 @@ def test_two_calls_at_once_do_not_mix(table, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        (["--shard", "9/8"], "no part"),
-        (["--shard", "x"], "no part"),
+        (["--shard", "9/8"], "is not a part"),
+        (["--shard", "x"], "is not a part"),
         (["--retries", "-1"], "0 or more"),
         (["--timeout", "0"], "more than 0"),
         (["--timeout", "nan"], "more than 0"),

@@ -95,7 +95,7 @@ def test_another_material_keeps_the_shape_to_the_last_byte(finished, tmp_path):
         (("explore", "a red blorb", "--out", "{new}"), "blorb"),
         (("explore", PROMPT, "--seed=9", "--out", "{shapes}"), "of other settings"),
         (("recolor", "{shapes}/candidate-1", "--out", "{new}"), "is not finished"),
-        (("recolor", "{shapes}", "--out", "{new}"), "no run folder"),
+        (("recolor", "{shapes}", "--out", "{new}"), "is not a run folder"),
         (("resume", "{shapes}/candidate-1", "--until=night"), "--until is 'night'"),
     ],
 )

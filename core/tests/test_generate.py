@@ -276,7 +276,7 @@ def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(fork, tmp_pat
         "texture", mesh, "a red cube", "--out", run, *words, "--strength=1", *OPTIONS
     ).finished()
     assert status == 0, said
-    assert "share their texels" in said
+    assert "overlap, so they share texels" in said
     asset = read_asset(run / "asset")
     assert sorted(asset.mesh.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
     green = torch.tensor([40, 160, 60]).div(255).pow(2.2)

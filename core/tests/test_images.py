@@ -72,12 +72,12 @@ def test_unreadable_pictures_are_told(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="no picture"):
         images.read_png(tmp_path / "none.png")
     (tmp_path / "bad.png").write_bytes(b"hello")
-    with pytest.raises(UserError, match="no readable PNG"):
+    with pytest.raises(UserError, match="is not a readable PNG"):
         images.read_png(tmp_path / "bad.png")
     images.write_png(tmp_path / "cut.png", np.zeros((64, 64, 3), np.uint16))
     whole = (tmp_path / "cut.png").read_bytes()
     (tmp_path / "cut.png").write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(UserError, match="no readable PNG"):
+    with pytest.raises(UserError, match="is not a readable PNG"):
         images.read_png(tmp_path / "cut.png")
 
 

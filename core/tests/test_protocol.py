@@ -62,7 +62,7 @@ def test_a_half_written_event_waits(tmp_path):
     ("text", "words"),
     [
         ("[" * 100_000 + "]" * 100_000, "nested too deeply"),
-        ('{"version": 1, "prompt": "a chair", "seed": ' + "9" * 5000 + "}", "no JSON"),
+        ('{"version": 1, "prompt": "a chair", "seed": ' + "9" * 5000 + "}", "is not JSON"),
         ('{"version": 1, "prompt": "a chair", "guide_strength": NaN}', "NaN is not a number"),
         (
             '{"version": 1, "prompt": "a chair", "seed": 1' + "0" * 400 + "}",

@@ -145,7 +145,7 @@ def test_a_folder_below_a_file_is_a_sentence(tmp_path):
 
 
 def test_a_folder_without_a_job_is_no_run(tmp_path):
-    with pytest.raises(UserError, match="no run folder"):
+    with pytest.raises(UserError, match="is not a run folder"):
         RunFolder.open(tmp_path)
 
 

@@ -147,11 +147,11 @@ def test_a_report_is_replaced_by_a_newer_one_and_is_whole(tmp_path):
 @pytest.mark.parametrize(
     ("broken", "words"),
     [
-        ("events.jsonl", "no JSON"),
-        ("asset/asset.glb", "no GLB"),
-        ("asset/asset.json", "no JSON"),
-        ("asset/orm.png", "no picture"),
-        ("job.json", "no JSON"),
+        ("events.jsonl", "is not JSON"),
+        ("asset/asset.glb", "is not a GLB file"),
+        ("asset/asset.json", "is not JSON"),
+        ("asset/orm.png", "is not a picture"),
+        ("job.json", "is not JSON"),
     ],
 )
 def test_a_broken_run_is_named(tmp_path, broken, words, capsys):
@@ -178,7 +178,7 @@ def test_a_link_out_of_the_run_is_not_followed(tmp_path, name):
 
 def test_no_run_is_a_sentence(tmp_path, capsys):
     assert main(["report", str(tmp_path / "nowhere")]) == 2
-    assert "no run folder" in capsys.readouterr().err
+    assert "is not a run folder" in capsys.readouterr().err
 
 
 def test_texels_keep_the_light_s_radiance():

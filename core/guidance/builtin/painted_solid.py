@@ -50,7 +50,7 @@ class PaintedSolid:
 
     @cached_property
     def parts(self) -> KnownParts:
-        """Its components; one that an adjective makes oval is not round."""
+        """Its parts; a part that an adjective makes oval is not round."""
         noun = self.words.noun
         flat, around, least = part_forms_table()[noun]
         if isinstance(self.solid, Garment):  # it has its wearer's form
