@@ -51,7 +51,7 @@ jaxtyping.install_import_hook(checked_modules(), CHECKER)
 def pytest_configure(config: pytest.Config) -> None:
     """pytest-randomly shuffles the tests; their numbers stay those of pytest_runtest_setup.
 
-    And Ctrl-C is heard by what the tests start, in a background job too.
+    Processes that the tests start react to Ctrl-C, in a background job too.
     """
     config.option.randomly_reset_seed = False
     # pytest-xdist would begin with the files of the most tests; the longest have few.

@@ -1,7 +1,7 @@
 """Cameras on a sphere about the origin.
 
 World: right-handed, +Z up, the object's front faces -Y. Camera: x right, y up, looks along -z
-(OpenGL). Azimuth 0 stands at -Y and grows counter-clockwise seen from above (90 degrees at +X).
+(OpenGL). Azimuth 0 is at -Y and grows counter-clockwise seen from above (90 degrees at +X).
 """
 
 import math
@@ -27,7 +27,7 @@ class Cameras:
     elevation: Float[Tensor, " b"]
     distance: Float[Tensor, " b"]
     fovy: Float[Tensor, " b"]
-    # Where the origin lies in a square picture, x right and y up, its edges at -1 and 1 (a lens
+    # Where the origin is in a square picture, x right and y up, its edges at -1 and 1 (a lens
     # shift). None: in the middle.
     shift: Float[Tensor, "b 2"] | None = None
 
@@ -121,7 +121,7 @@ class Cameras:
 class CameraConfig:
     """The distribution that a training draws its cameras from."""
 
-    # Uniform, training units; nearer than the object's cube the camera would stand in it.
+    # Uniform, training units; nearer than the object's cube the camera would be in it.
     distance: Annotated[tuple[float, float], Range(1.5, 9.0, rising=True)] = (3.0, 3.0)
     fovy_deg: Annotated[tuple[float, float], Range(1, 170, rising=True)] = (40.0, 40.0)  # uniform
     elevation_deg: Annotated[tuple[float, float], Range(-90, 90, rising=True)] = (-20.0, 78.0)

@@ -197,7 +197,7 @@ def _edit(args: argparse.Namespace) -> None:
     args = argparse.Namespace(**vars(args) | {"command": "texture", "mesh": mesh, "uv": "keep"})
     kept = {"kept_asset": absolute(str(asset.folder)), "region": absolute(args.faces)}
     size = args.texture_size or len(asset.maps.base_color)
-    # Without --shape the material is what is edited: --material says nothing new there.
+    # Without --shape the material is edited anyway: --material adds nothing.
     what = {"reshape": args.shape, "retexture": args.shape and args.material}
     job = replace(job_of(args), texture_size=size, **what, **kept)
     # Recorded as it is seen: a later edit of the result has to know what the whole is.
@@ -220,7 +220,7 @@ def _recolor(args: argparse.Namespace) -> None:
 def _batch(args: argparse.Namespace) -> None:
     from core.batch.batch import run_batch
 
-    # The command line's own options stand for each row; a row's cells come after them.
+    # The command line's own options apply to each row; a row's cells override them.
     names = ("seed", "preset", "guidance", "light", "texture_size", "max_faces", "device")
     given = {name.replace("_", "-"): getattr(args, name) for name in names}
     given["negative"] = args.negative_prompt
@@ -310,7 +310,9 @@ def _words(args: argparse.Namespace) -> None:
     report, code = words_report(args.prompt, args.ignore_unknown_words)
     put(json.dumps(report, indent=1, ensure_ascii=False))
     if code:
-        understood(args.prompt, ignore_unknown=args.ignore_unknown_words)  # raises what it says
+        understood(
+            args.prompt, ignore_unknown=args.ignore_unknown_words
+        )  # raises the report's error
 
 
 def _models(args: argparse.Namespace) -> None:

@@ -2,7 +2,7 @@
 
 ``paper`` is the paper's text with the released code's values where the text is silent;
 ``standard`` is the same method on one GPU; ``draft`` is for the built-in prior on a CPU, and
-``sds`` is the draft by score distillation alone. A preset says how much work is done;
+``sds`` is the draft by score distillation alone. A preset sets how much work is done;
 :func:`core.job_config.with_builtin` puts the built-in prior's own scales and caps into any.
 """
 
@@ -105,7 +105,7 @@ class GeometryConfig:
     fine: PhaseConfig = PhaseConfig(steps=1500, size=512, weighting="sigma2_sqrt")
     refine: RefineConfig = RefineConfig()
     sharpen: SharpenConfig = SharpenConfig()
-    # Of a region whose shape is edited: from much noise, or a dent is taken for a wish.
+    # For a region whose shape is edited: from much noise, or a dent is mistaken for a request.
     reshape: RefineConfig = RefineConfig(
         rounds=6, steps=30, views=16, batch=6, t=(0.7, 0.25), learning_rate=0.03
     )
@@ -248,7 +248,7 @@ DRAFT = Config(
         resolution=(40, 64),
         start="learned",
         fit_steps=200,
-        # It only has to find where the shape lies: growing gives it its parts.
+        # It only has to find where the shape is: growing gives it its parts.
         coarse=PhaseConfig(
             steps=30, size=64, weighting="sigma2", t_high=(0.98, 0.6), guidance_scale=5.0
         ),

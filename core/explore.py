@@ -1,4 +1,4 @@
-"""The ``explore`` and ``recolor`` commands: quick candidates, of which one is finished.
+"""The ``explore`` and ``recolor`` commands: quick candidates; one of them is then finished.
 
 A candidate is an ordinary run that has paused at a first look: at its shape, after half of growing,
 or at its colours, after one round of refining. ``resume`` finishes it, to the asset that a run
@@ -19,7 +19,7 @@ from core.io.atomic import atomic_file
 from core.io.job import Job, read_events
 from core.io.run_folder import RunFolder
 from core.job_config import is_kept
-from core.terminal import tell
+from core.terminal import show
 
 SHEET = "candidates.png"
 PICTURES = {"shape": "normals.png", "color": "color.png"}  # the preview of a first look
@@ -83,7 +83,7 @@ def _candidates(folder: Path, jobs: Sequence[Job], until: str, look: Any) -> Pat
             try:
                 look(run)
             except NoSurfaceError as error:  # an unlucky seed; the others are worth looking at
-                tell(f"{run.path.name}: {error.text}")
+                show(f"{run.path.name}: {error.text}")
         write_sheet(folder / SHEET, runs, until)
     return folder / SHEET
 
@@ -106,7 +106,7 @@ def _looked_at(path: Path) -> bool:
 
 
 def _take_shape(run: RunFolder, source: RunFolder) -> None:
-    """Copy the finished shape of ``source``; the unwrapped mesh last, which says it is there."""
+    """Copy the finished shape of ``source``; the unwrapped mesh, which marks it complete, last."""
     if run.has("mesh"):
         return
     (run.path / "checkpoint").mkdir(exist_ok=True)

@@ -262,7 +262,7 @@ def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
     wanted = run.job.command == "generate" and inputs.config.geometry.find_front
     if guide is None or not wanted:
         return inputs
-    # The first process decides, once: a training goes on as it was begun.
+    # The first process decides, once: a training continues as it was started.
     turn, found = 0.0, run.load(FRONT) if ranks.first else None
     if found:
         with run.whole_checkpoint(FRONT):
@@ -352,7 +352,7 @@ def learned_shape(
 
 
 def kept_guide(guide: Mesh, run: RunFolder, progress: Progress) -> Mesh:
-    """The guide itself: nothing is learned of it, as its strength of 1 says."""
+    """The guide itself, for a strength of 1: no shape is learned."""
     with progress.timed("geometry"):
         mesh = kept(guide)
         show_shape(run, normalise(mesh.verts)[0], mesh.faces)
@@ -377,7 +377,7 @@ def back(verts: Float[Tensor, "v 3"], mesh: Mesh | None) -> Float[Tensor, "v 3"]
 
 
 def views_of(config: Config) -> dict[str, int]:
-    """How many views a step has, by the setting that says so: no more processes can share them."""
+    """The number of views of a step, by its setting: no more processes can divide them."""
     views = {}
     for stage, rounds in (("geometry", ("grow", "refine")), ("appearance", ("refine",))):
         settings = getattr(config, stage)

@@ -120,11 +120,13 @@ def _cell(
 
 
 def _outer(weight: Float[Tensor, "8 n"], part: Float[Tensor, "n c"]) -> Float[Tensor, "m c"]:
-    """Each corner's share of the gradient ``part``, corners before points: m = 8 n."""
-    shares = part.new_empty(*weight.shape, part.shape[1])
-    for share, column in zip(shares.unbind(-1), part.T.contiguous(), strict=True):
-        torch.mul(weight, column, out=share)  # in place: stacking the columns takes thrice as long
-    return shares.flatten(0, 1)
+    """Each corner's part of the gradient ``part``, corners before points: m = 8 n."""
+    gradients = part.new_empty(*weight.shape, part.shape[1])
+    for gradient, column in zip(gradients.unbind(-1), part.T.contiguous(), strict=True):
+        torch.mul(
+            weight, column, out=gradient
+        )  # in place: stacking the columns takes thrice as long
+    return gradients.flatten(0, 1)
 
 
 def _add_rows(

@@ -20,7 +20,8 @@ AGAIN_SECONDS = 1.0  # cleaning up, which may follow the first, takes less
 
 
 def process_began() -> float:
-    """When this process began, seconds since 1970; where the system does not tell, soon after.
+    """When this process started, seconds since 1970; soon after, where the system does not report
+    it.
 
     A busy machine takes seconds to load Python, and a request that comes meanwhile counts.
     """
@@ -34,7 +35,7 @@ def process_began() -> float:
 
 
 class Interrupts:
-    """What one piece of work was interrupted by."""
+    """The interrupts of one task."""
 
     def __init__(self) -> None:
         self.came = False
@@ -48,7 +49,7 @@ class Interrupts:
         """
         self.came = True
         self.stop()
-        # The signal itself comes again: a job that has begun meanwhile handles it in its own way.
+        # The signal itself comes again: a job that has started meanwhile handles it in its own way.
         self._timer = threading.Timer(AGAIN_SECONDS, _send, (number,))
         self._timer.daemon = True
         self._timer.start()
@@ -70,7 +71,7 @@ def _send(number: int) -> None:
 
 @contextmanager
 def interruptible() -> Iterator[Interrupts]:
-    """KeyboardInterrupt at SIGINT, within; ``came`` says whether there was one."""
+    """KeyboardInterrupt at SIGINT, within; ``came``: whether there was one."""
     interrupts, hook = Interrupts(), sys.unraisablehook
 
     def unraisable(what: Any) -> None:
@@ -112,7 +113,7 @@ def asks_to_stop(ask: Callable[[], None]) -> Iterator[None]:
 
 @contextmanager
 def _handled(number: int, handler: Callable[[int, Any], None]) -> Iterator[None]:
-    """``handler`` for a signal, within; what the user's shell has told to ignore stays ignored."""
+    """``handler`` for a signal, within; a signal that the user's shell ignores stays ignored."""
     before = signal.getsignal(number)
     if before == signal.SIG_IGN or threading.current_thread() is not threading.main_thread():
         yield

@@ -44,7 +44,7 @@ def config_of(job: Job) -> Config:
     # Before what a strength shortens: it then shortens what the user has set, too.
     config = with_settings(config, job.settings)
     check(config)
-    if is_kept(job):  # whatever the settings say: what was drawn would be taken for the shape
+    if is_kept(job):  # whatever the settings are: a drawn solid would be used as the shape
         config = replace(config, geometry=replace(config.geometry, start="ellipsoid"))
     if job.base_color:
         config = retouching(config, job.guide_strength)
@@ -60,11 +60,11 @@ def is_kept(job: Job) -> bool:
 
 
 def started(config: Config, job: Job) -> Config:
-    """``config`` for what the geometry starts from: a drawn solid, where the job can have one.
+    """``config`` for the geometry's start: a drawn solid, where the job can have one.
 
-    All is there then, so that nothing is left to distil, to grow, to refine and to sharpen, and
-    the solid itself becomes the mesh, unless the job's own settings say otherwise; the fine
-    lattice then holds what Ψ lacks of the solid.
+    Then nothing is left to distil, to grow, to refine and to sharpen, and the solid itself
+    becomes the mesh, unless the job's own settings differ; then the fine lattice holds what Ψ
+    lacks of the solid.
     """
     g, asked = config.geometry, with_settings(config, job.settings).geometry
     # An ablation learns the shape in another way, which is what it is there to show.
@@ -175,7 +175,7 @@ def retouching(config: Config, strength: float) -> Config:
 def within(config: AppearanceConfig, bounds: MaterialRanges | None) -> AppearanceConfig:
     """``config`` with the bounds that the words set; without a specular layer it is matte."""
     if config.shading == "diffuse":
-        # The asset has no other way to say so: Blender's coat is weakest there.
+        # The asset cannot express it otherwise: Blender's specular layer is weakest there.
         return replace(config, roughness_range=(1.0, 1.0), metallic_range=(0.0, 0.0))
     if bounds is None:
         return config

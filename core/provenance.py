@@ -1,4 +1,4 @@
-"""Where an asset came from: the job that asked for it, versions and weights that made it."""
+"""The origin of an asset: its job, versions and weights."""
 
 import importlib.metadata
 import platform

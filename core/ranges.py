@@ -1,4 +1,4 @@
-"""The range of a setting, beside its type: ``steps: Annotated[int, Range(0, 100)]``.
+"""The range of a setting, next to its type: ``steps: Annotated[int, Range(0, 100)]``.
 
 Standard library only, and nothing of the core: every part may declare its settings with it.
 """

@@ -1,8 +1,8 @@
-"""The processes that make one asset together: each renders its share of the views of every step.
+"""The processes that make one asset together: each renders a part of the views of every step.
 
 All of them draw the same random numbers for all views (``Draw``) and take every ``world``-th of
-them. What they have in common, the network's gradient above all, they add up. So N of them make
-what one makes, but for rounding. All of torch.distributed that the project uses is here.
+them. Common values, above all the network's gradient, are summed. So N of them make
+the same asset as one, except for rounding. The only file that uses torch.distributed.
 """
 
 import os
@@ -39,7 +39,7 @@ class Ranks:
         return self.rank == 0
 
     @property
-    def share(self) -> slice:
+    def own(self) -> slice:
         """Which of a step's views this process renders."""
         return slice(self.rank, None, self.world)
 
@@ -61,7 +61,7 @@ class Ranks:
         if self.world == 1:
             return
         parameters = list(module.parameters())
-        # A regulariser may say nothing in one of them, and so leave no gradient there.
+        # A regulariser may not apply in one of them, and so leave no gradient there.
         has = self.rows([float(p.grad is not None) for p in parameters]).amax(0).tolist()
         some = [p for p, any_has in zip(parameters, has, strict=True) if any_has]
         grads = [torch.zeros_like(p) if p.grad is None else p.grad for p in some]
@@ -78,11 +78,11 @@ class Ranks:
         return self.sum(table)
 
     def whole(self, mine: Float[Tensor, "m ..."], count: int) -> Float[Tensor, "{count} ..."]:
-        """All ``count`` rows, of which each process has its share."""
+        """All ``count`` rows; each process has its own of them."""
         if self.world == 1:
             return mine
         rows = mine.new_zeros(count, *mine.shape[1:])
-        rows[self.share] = mine
+        rows[self.own] = mine
         return self.sum(rows)
 
     def texts(self, mine: str) -> list[str]:
@@ -96,13 +96,13 @@ class Ranks:
         values = {k: x.detach().cpu().contiguous() for k, x in tensors.items()}
         return load(self._bytes(save(values) if self.first else b"")[0])
 
-    def say(self, text: str) -> None:
-        """Leave a sentence for the others, on the way out."""
+    def report(self, text: str) -> None:
+        """Leave an error sentence for the others before the end."""
         if self.store is not None:
             self.store.set(WORDS, text)
 
     def leave(self) -> None:
-        """End what :func:`join` began."""
+        """End what :func:`join` started."""
         if self.group is not None:
             torch.distributed.destroy_process_group()
 
@@ -136,7 +136,7 @@ def rank_in(environ: Mapping[str, str] = os.environ) -> int | None:
 
 
 def join(environ: Mapping[str, str] = os.environ) -> Ranks:
-    """Meet the other processes, each of which calls this; those of ``environ``."""
+    """Meet the other processes of ``environ``, each of which calls this."""
     rank, world = int(environ["RANK"]), int(environ["WORLD_SIZE"])
     return meet(_store(environ, rank, world), rank, world)
 
@@ -194,7 +194,7 @@ def require_gpus(count: int, device: str, found: int) -> None:
 
 
 def require_views(world: int, views: Mapping[str, int]) -> None:
-    """Refuse more processes than the views of a step, by the setting that says how many."""
+    """Refuse more processes than the views of a step; ``views``: by the setting's name."""
     for name, count in views.items():
         if count < world:
             raise UserError(

@@ -30,7 +30,7 @@ FIXES = {
 
 
 def exit_code(work: Callable[[], object]) -> int:
-    """Do ``work``; what a user can fix is one sentence on the terminal, and its exit code."""
+    """Do ``work``; an error that a user can fix is one sentence on the terminal, and its code."""
     take_all_letters()
     try:
         with interruptible() as interrupts:
@@ -39,7 +39,7 @@ def exit_code(work: Callable[[], object]) -> int:
             except UserError:
                 raise
             except Exception:
-                if interrupts.came:  # whatever a library made of it
+                if interrupts.came:  # whatever a library raised for it
                     raise KeyboardInterrupt from None
                 raise
     except KeyboardInterrupt:
@@ -91,14 +91,14 @@ def put(text: object) -> None:
         raise _unwritten(error) from error
 
 
-def tell(text: str) -> None:
-    """Print how far a job is; one whose reader has gone works on."""
+def show(text: str) -> None:
+    """Print a job's progress; the job continues if nobody reads it."""
     with suppress(OSError):
         print(text, flush=True)
 
 
 def complain(text: str) -> None:
-    """Print what went wrong, if there is still somebody to read it."""
+    """Print an error, if there is still somebody to read it."""
     with suppress(OSError):
         print(text, file=sys.stderr, flush=True)
 

@@ -116,9 +116,9 @@ def _ended(process: subprocess.Popen) -> None:
 
 
 def follow() -> int:
-    """Take part in the run of the first process, as torchrun or it has started this one.
+    """Take part in the run of the first process, which, or torchrun, has started this one.
 
-    Prints nothing: what goes wrong here is said by the first one.
+    Prints nothing: the first process reports errors.
     """
     # Not asked to stop: the first one decides, and this one ends with it.
     with (
@@ -149,10 +149,10 @@ def _follow() -> int:
 
 
 def _leave(ranks: Ranks, error: UserError) -> int:
-    """Tell the others why; but not of another's end, or of a request to stop."""
+    """Report the error to the others, except another's end or a request to stop."""
     if not isinstance(error, RankLostError) and error.status != 130:
         with suppress(RuntimeError):
-            ranks.say(str(error))
+            ranks.report(str(error))
     return error.status
 
 

@@ -69,7 +69,7 @@ def brdf(
 
 
 class Albedo(NamedTuple):
-    """Share of uniform light that the specular part reflects, by roughness and n·v; in [0, 1]."""
+    """The fraction of uniform light that the specular part reflects, by roughness and n·v."""
 
     total: Float[Tensor, "*b 1"]  # F = 1
     schlick: Float[Tensor, "*b 1"]  # F = (1 - cos)^5
@@ -104,7 +104,7 @@ def visible_normals(
     phi = 2 * math.pi * u[:, 0]
     cap = (1 - u[:, 1]) * (1 + z) - z
     sine = torch.sqrt((1 - cap * cap).clamp(min=0))
-    # UNSTRETCHED: normals go with the inverse transpose; none lies on the horizon or below it
+    # UNSTRETCHED: normals go with the inverse transpose; none is on the horizon or below it
     h = torch.stack(
         [(sine * phi.cos() + x) * alpha, sine * phi.sin() * alpha, (cap + z).clamp(min=1e-7)], -1
     )

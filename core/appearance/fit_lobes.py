@@ -102,7 +102,7 @@ def averages(
         + y[..., None] * bitangent[:, None]
         + z[..., None] * normal[:, None]
     )
-    # Half of the radius of a round share: the lobes' tails are long.
+    # Half of the radius of a round sample area: the lobes' tails are long.
     width = (1 / (SAMPLES * density * math.pi)).sqrt() / 2
     level = (width / FINEST).log2().clamp(min=0)
     maps = environment.specular.maps
@@ -151,7 +151,7 @@ def fit(steps: int = STEPS) -> Float[Tensor, "channels rows columns"]:
     for step in range(steps):
         here, there = environments[step % len(LIGHTS)], points[step % len(LIGHTS)]
         some = torch.randint(0, POINTS, (BATCH,), generator=generator)
-        # At random about the light's own mean: all eight lights count alike, and the curve of
+        # At random about the light's own mean: all eight lights count equally, and the curve of
         # ``shown`` is met at more than one brightness.
         exposure = math.exp(0.5 * float(torch.randn(1, generator=generator)))
         exposure = exposure / float(there.diffuse.mean())

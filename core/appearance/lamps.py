@@ -100,18 +100,18 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
         return image, Lamps.none()
     power = ((image * (1 - kept)) * area[:, None]).reshape(-1, 3)[bright]
     axis = directions(height, width).view(-1, 3)[bright]
-    share = power @ torch.tensor(LUMINANCE) / (4 * math.pi * mean)
+    fraction = power @ torch.tensor(LUMINANCE) / (4 * math.pi * mean)
 
     # CLUSTERS: the strongest, since each costs a pass of Eq. 8 over all points
-    clusters = [p for p in cut(axis, share) if float(share[p].sum()) > LEAST]
-    clusters = sorted(clusters, key=lambda p: -float(share[p].sum()))[:MOST]
+    clusters = [p for p in cut(axis, fraction) if float(fraction[p].sum()) > LEAST]
+    clusters = sorted(clusters, key=lambda p: -float(fraction[p].sum()))[:MOST]
     if not clusters:
         return image, Lamps.none()
     # THE REST: weak clusters go back to the map, so that no light is lost
     rest, texel = image.reshape(-1, 3).clone(), math.pi / height
     taken = bright[torch.cat(clusters)]
     rest[taken] = (image * kept).reshape(-1, 3)[taken]
-    middles, widths = zip(*(middle_of(axis[p], share[p]) for p in clusters), strict=True)
+    middles, widths = zip(*(middle_of(axis[p], fraction[p]) for p in clusters), strict=True)
     lamps = Lamps(
         torch.stack(middles),
         torch.stack([power[p].sum(0) for p in clusters]),
@@ -121,30 +121,30 @@ def split_lamps(image: Float[Tensor, "h w 3"]) -> tuple[Float[Tensor, "h w 3"], 
     return rest.view(image.shape), lamps
 
 
-def cut(axis: Float[Tensor, "n 3"], share: Float[Tensor, " n"]) -> list[Int[Tensor, " m"]]:
+def cut(axis: Float[Tensor, "n 3"], fraction: Float[Tensor, " n"]) -> list[Int[Tensor, " m"]]:
     """The texels in clusters, none wider than WIDEST: halved across their longest side until so."""
     todo, clusters = [torch.arange(len(axis))], []
     while todo:
         cluster = todo.pop()
         # Widths are ascending; the last is that along the cluster's longest side.
-        middle, widths = middle_of(axis[cluster], share[cluster])
+        middle, widths = middle_of(axis[cluster], fraction[cluster])
         if float(widths[-1]) <= WIDEST:
             clusters.append(cluster)
             continue
         away = axis[cluster] - middle
         # Halved at the mean along the first principal axis.
-        spread = (share[cluster, None] * away).t() @ away
+        spread = (fraction[cluster, None] * away).t() @ away
         side = away @ torch.linalg.eigh(spread).eigenvectors[:, -1]
-        side = side - (side * share[cluster]).sum() / share[cluster].sum()
+        side = side - (side * fraction[cluster]).sum() / fraction[cluster].sum()
         todo += [cluster[side > 0], cluster[side <= 0]]
     return clusters
 
 
 def middle_of(
-    axis: Float[Tensor, "n 3"], share: Float[Tensor, " n"]
+    axis: Float[Tensor, "n 3"], fraction: Float[Tensor, " n"]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
     """The mean direction, and the standard deviations about it, ascending; weighted."""
-    weight = share[:, None] / share.sum()
+    weight = fraction[:, None] / fraction.sum()
     middle = normalize((weight * axis).sum(0))
     away = axis - middle
     spread = torch.linalg.eigvalsh((weight * away).t() @ away)

@@ -1,7 +1,7 @@
 """Pictures of the sphere of directions: lat-long (equirectangular) maps of light.
 
 Row 0 is the zenith (+Z). The middle column looks along +X, the one at a quarter of the width along
-+Y, the seam along -X, as in Blender's Environment Texture node. A texel stands for its patch of the
++Y, the seam along -X, as in Blender's Environment Texture node. A texel represents its patch of the
 sphere, and sums weigh it by that patch's solid angle, so they do not depend on the map's size.
 """
 
@@ -26,7 +26,7 @@ def directions(height: int, width: int) -> Float[Tensor, "{height} {width} 3"]:
 
 
 def to_uv(direction: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 2"]:
-    """Where a direction lies on the map: column and row as fractions in [0, 1], from the top left.
+    """Where a direction is on the map: column and row as fractions in [0, 1], from the top left.
 
     Inverse of :func:`directions`. Finite gradient everywhere, zero at the poles.
     """
@@ -65,7 +65,7 @@ def edges(n: int) -> Float[Tensor, " {n}+1"]:
 
 
 def overlap(target: Float[Tensor, " m"], source: Float[Tensor, " n"]) -> Float[Tensor, "i j"]:
-    """Share of each target interval that falls to each source interval; edges run downwards."""
+    """The fraction of each target interval in each source interval; edges run downwards."""
     high = torch.minimum(target[:-1, None], source[None, :-1])
     low = torch.maximum(target[1:, None], source[None, 1:])
     return (high - low).clamp(min=0) / (target[:-1] - target[1:])[:, None]
@@ -113,7 +113,7 @@ def convolve(image: Float[Tensor, "h w 3"], kernel: Kernel) -> Float[Tensor, "h 
 class Levels:
     """A stack of lat-long maps of different sizes, read smoothly in direction and level.
 
-    They lie in one picture one below another, each with a border of its neighbours across the seam
+    They are in one picture one below another, each with a border of its neighbours across the seam
     and the poles, so that bilinear reading is right everywhere.
     """
 
@@ -128,7 +128,7 @@ class Levels:
         strips, places, row = [], [], 0
         for image in maps:
             h, w, c = image.shape
-            # Across a pole lies the same row, half a turn further.
+            # Across a pole is the same row, half a turn further.
             beyond = image[[0, -1]].roll(w // 2, dims=1)
             framed = torch.cat([beyond[:1], image, beyond[1:]])
             framed = torch.cat([framed[:, -1:], framed, framed[:, :1]], 1)
@@ -158,14 +158,14 @@ class Levels:
         if level is None:
             return self.sample(u, uv[:, 1], torch.zeros_like(u, dtype=torch.int64))
         level = level.clamp(0, len(self.places) - 1)
-        # Which two maps are read has no gradient; ``share`` carries it. The last level is the upper
-        # one of a pair, so that ``above`` exists.
+        # Which two maps are read has no gradient; ``fraction`` carries it. The last level is the
+        # upper one of a pair, so that ``above`` exists.
         base = level.detach().floor().clamp(max=max(len(self.places) - 2, 0))
-        share = (level - base)[:, None]
+        fraction = (level - base)[:, None]
         index = base.long()
         above = (index + 1).clamp(max=len(self.places) - 1)
         low, high = self.sample(u, uv[:, 1], index), self.sample(u, uv[:, 1], above)
-        return torch.lerp(low, high, share)
+        return torch.lerp(low, high, fraction)
 
     def sample(self, u: Tensor, v: Tensor, index: Tensor) -> Tensor:
         """Bilinear within the given levels; u and v in [0, 1]."""

@@ -69,8 +69,8 @@ def checked(image: Float[Tensor, "h w 3"], path: Path) -> Float[Tensor, "h w 3"]
 def studio(height: int = 256) -> Float[Tensor, "{height} 2*{height} 3"]:
     """Neutral light for showing an object: a grey dome, a large key, a weak fill, a rim.
 
-    Everything is grey and soft, so that a material can be told from its picture. Seen from the
-    front, the key stands on the left and above, the rim on the right and behind. A diffuse surface
+    Everything is grey and soft, so that a material can be recognised in its picture. Seen from the
+    front, the key is on the left and above, the rim on the right and behind. A diffuse surface
     with kd 0.8 reads 0.7 where it is lit best; no radiance is above 10.
     """
     d = directions(height, 2 * height)

@@ -79,8 +79,8 @@ class MaterialNet(nn.Module):
         uv: Float[Tensor, "n 2"] | None = None,
         area: Int[Tensor, " n"] | None = None,
     ) -> Material:
-        """The material at ``points``, training units; ``uv`` says nothing to it. ``area``: whose
-        ranges it has, where that is known."""
+        """The material at ``points``, training units; ``uv`` is not used. ``area``: the area
+        whose ranges apply, where known."""
         del uv
         here = self.local(points, area) if self.local else None
         return to_ranges(self.raw(points), self.config, here)
@@ -93,24 +93,24 @@ def to_ranges(
     ``bump``, its z is positive.
 
     kd's runs over linear light, as the paper's does, or over sRGB: in linear light the darks, which
-    the eye tells apart, lie in the sigmoid's flat end.
+    the eye distinguishes, are in the sigmoid's flat end.
     """
-    share = raw.sigmoid()
+    fraction = raw.sigmoid()
     least, most = constant(config.kd_range, raw.device, raw.dtype)
     here = here or RangesHere(config.roughness_range, config.metallic_range, (least, most))
     rough, metal, color = here
-    kd = share[:, 0:3]
+    kd = fraction[:, 0:3]
     if config.kd_curve == "srgb":
         # The bounds stay linear ones under both curves.
         kd = srgb_to_linear(_between(kd, tuple(map(linear_to_srgb, color))))
     else:
         kd = _between(kd, color)
-    roughness, metallic = _between(share[:, 3:4], rough), _between(share[:, 4:5], metal)
+    roughness, metallic = _between(fraction[:, 3:4], rough), _between(fraction[:, 4:5], metal)
     # 0 at the start, so flat; z stays above 0, so that no normal points into the surface.
-    tilt = (2 * share[:, 5:7] - 1) * config.bump
-    kn = normalize(torch.cat([tilt, share[:, 7:8].clamp(min=1e-3)], -1))
+    tilt = (2 * fraction[:, 5:7] - 1) * config.bump
+    kn = normalize(torch.cat([tilt, fraction[:, 7:8].clamp(min=1e-3)], -1))
     return Material(kd, roughness, metallic, kn)
 
 
-def _between(share: Tensor, bounds: tuple[float, float] | tuple[Tensor, Tensor]) -> Tensor:
-    return bounds[0] + (bounds[1] - bounds[0]) * share
+def _between(fraction: Tensor, bounds: tuple[float, float] | tuple[Tensor, Tensor]) -> Tensor:
+    return bounds[0] + (bounds[1] - bounds[0]) * fraction

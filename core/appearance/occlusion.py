@@ -20,7 +20,7 @@ from core.appearance.environment import Environment
 from core.ops import dot, normalize
 from core.render.normals import vertex_normals
 
-# Each stands for a cone of 7 degrees about it; no shadow is sharper than that.
+# Each represents a cone of 7 degrees about it; no shadow is sharper than that.
 DIRECTIONS = 256
 ABOVE = 2e-3  # of the mesh's size: where a vertex looks from, so that it does not see its own faces
 CHUNK = 1 << 12  # vertices at a time: their rays take some 20 kB each
@@ -73,12 +73,12 @@ class VertexVisibility:
             seen = clear[:, near].mean(2)
             power = lamps.power.to(self.cosine) / math.pi
             whole, through = whole + cosine @ power, through + (cosine * seen) @ power
-        # SHARES: of the light by colour, and of the view; a vertex without any light divides by
+        # FRACTIONS: of the light by colour, and of the view; a vertex without any light divides by
         # nothing
-        share = (through / whole.clamp(min=1e-8)).clamp(max=1)
+        fraction = (through / whole.clamp(min=1e-8)).clamp(max=1)
         closed = (self.cosine * (1 - clear)).sum(1, keepdim=True).clamp(max=MOST_CLOSED)
         size = 4 * math.pi / len(self.directions)
-        return torch.cat([share, closed, clear @ harmonics(self.directions) * size], 1)
+        return torch.cat([fraction, closed, clear @ harmonics(self.directions) * size], 1)
 
 
 def occluded(
@@ -88,12 +88,12 @@ def occluded(
     kd: Float[Tensor, "p 3"],
     roughness: Float[Tensor, "p 1"],
 ) -> tuple[Float[Tensor, "p 3"], Float[Tensor, "p 1"]]:
-    """By what the irradiance changes, and the fraction of the mirror's lobe that is open.
+    """The factor on the irradiance, and the fraction of the mirror's lobe that is open.
 
     Jimenez's geometric series: what is hidden shines with kd of the light that arrives here.
     """
-    share, closed, open_ = occlusion.split([3, 1, len(DEGREES)], 1)
-    change = share / (1 - kd * closed)
+    fraction, closed, open_ = occlusion.split([3, 1, len(DEGREES)], 1)
+    change = fraction / (1 - kd * closed)
     # The specular light comes from about the mirror direction: it asks whether that is open.
     mirrored = 2 * dot(normal, view) * normal - view
     # A lobe of this width about an axis keeps as much of a harmonic of each degree (vMF).

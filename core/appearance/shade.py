@@ -99,7 +99,7 @@ def lifted(
 ) -> Float[Tensor, "p 3"]:
     """``normal`` turned towards the face's own, ``front``, until the mirror direction leaves it.
 
-    Without it a normal map mirrors what lies inside the object. As Blender does it: the least turn
+    Without it a normal map mirrors the object's inside. As Blender does it: the least turn
     after which the mirror direction is 0.01 (or 0.9 of the view's height) above the face. All unit.
     """
     height = dot(view, front)

@@ -113,9 +113,9 @@ class Attempt:
 
 
 def cause(folder: Path, code: int) -> str:
-    """Why the core's process ended with ``code``: its own sentence, else what the code tells."""
-    if code in SENTENCES and (said := _last_error(folder / "log.txt")):
-        return said
+    """Why the core's process ended with ``code``: its own sentence, else what the code means."""
+    if code in SENTENCES and (reported := _last_error(folder / "log.txt")):
+        return reported
     ends = [event for event in _events(folder) if event.get("type") in (*LAST, "started")]
     last = ends[-1] if ends else {}
     if last.get("type") in ("error", "cancelled"):

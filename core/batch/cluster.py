@@ -1,4 +1,4 @@
-"""The batch's places on a Ray cluster: one asset is one task, and no disk is shared.
+"""The batch's places on a Ray cluster: one asset is one task; nodes have no common disk.
 
 A task gets the run folder's job and checkpoints through Ray's object store, runs the core as a
 process of this machine does, and sends checkpoints back now and then. Ray itself tries nothing
@@ -24,7 +24,7 @@ from core.batch.parcel import outward, unpack
 from core.batch.plan import Task
 from core.errors import MissingError, UserError
 
-# It reports home unless it is told not to; its own notices of a death are pages long.
+# Ray sends usage reports unless this is set; its own notices of a death are pages long.
 # The last one skips all that it prints of others, at any level of its log.
 QUIET = {
     "RAY_USAGE_STATS_ENABLED": "0",
@@ -95,17 +95,17 @@ class RayPool:
 
     def _take(self, made: Any) -> tuple[Task, End] | None:
         """The next news of a task: a checkpoint, or how it ended."""
-        task, begun = self._running[made]
+        task, started = self._running[made]
         assert task.folder
         try:
             news = ray.get(next(made))
         except StopIteration:  # without its last word
-            news = _lost("Its task ended without a result.", begun)
+            news = _lost("Its task ended without a result.", started)
         except RayTaskError as error:
             text = str(error.cause or error).strip().splitlines()[-1]
-            news = _lost(f"Its task failed on its node: {text}", begun)
+            news = _lost(f"Its task failed on its node: {text}", started)
         except RayError as error:
-            news = _lost(f"Its node or its worker died ({type(error).__name__}).", begun)
+            news = _lost(f"Its node or its worker died ({type(error).__name__}).", started)
         if news["parcel"]:
             unpack(news["parcel"], task.folder)
         if news["end"] is None:
@@ -121,8 +121,8 @@ class RayPool:
         self._running.clear()
 
 
-def _lost(text: str, begun: float) -> dict[str, Any]:
-    end = End(NODE_DIED, text, time.monotonic() - begun)
+def _lost(text: str, started: float) -> dict[str, Any]:
+    end = End(NODE_DIED, text, time.monotonic() - started)
     return {"parcel": b"", "end": asdict(end)}
 
 

@@ -55,15 +55,15 @@ def make(order: dict[str, Any], parcel: bytes) -> Iterator[dict[str, Any]]:
         yield {"parcel": files, "end": at_home(asdict(end), folder) | {"node": node}}
 
 
-def at_home(said: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """What was said of the run in ``folder``, by its name: here the folder is a temporary one."""
+def at_home(event: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """An event of the run in ``folder``, a temporary folder here, with the folder's name for it."""
 
     def named(value: Any) -> Any:
         for place in (folder.resolve(), folder) if isinstance(value, str) else ():
             value = value.replace(str(place), folder.name)
         return value
 
-    return {key: named(value) for key, value in said.items()}
+    return {key: named(value) for key, value in event.items()}
 
 
 def times(folder: Path) -> dict[str, int]:

@@ -117,7 +117,7 @@ def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
 
 
 def _files_of(*assets: Path) -> set[str]:
-    """The names of the files that are in the newest of the assets, and that the others tell of."""
+    """The names of the files that are in the newest of the assets or listed by the others."""
     ours = {"asset.json", *(path.name for path in assets[0].iterdir())}
     for asset in assets:
         with suppress(OSError, ValueError, KeyError, TypeError, RecursionError):  # broken

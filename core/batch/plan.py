@@ -18,7 +18,7 @@ from core.io.provenance import file_hash
 from core.job_config import config_of
 from core.provenance import FILES, made_by
 
-# They say how large the parts are in which a step is computed, not what comes out.
+# They set the size of the parts in which a step is computed, not the result.
 PARTS = ("views_at_once",)
 DIGITS = 16  # of the hash in a folder's name: two of a million assets share one by a chance of 3e-8
 SMALL = 1 << 20  # bytes: larger files of a checkpoint count by name and size
@@ -40,7 +40,7 @@ class Task:
 
 
 def plan(rows: Sequence[Row], out: Path, job_of: Callable[[Row], Job]) -> list[Task]:
-    """A task for each row, in order; rows that ask for the same asset share its folder."""
+    """A task for each row, in order; rows that request the same asset share its folder."""
     folders = {path.name.rpartition("-")[2]: path for path in _run_folders(out)}
     return [_task(row, out, job_of, folders) for row in rows]
 
@@ -114,6 +114,6 @@ def _hashed(path: Path) -> str:
 
 @cache
 def _hash_of(path: Path, size: int, time_ns: int) -> str:
-    """Read once for the rows that share a file, and again where it was written anew."""
+    """Read once for the rows that share a file, and again where it was rewritten."""
     del size, time_ns
     return file_hash(path)

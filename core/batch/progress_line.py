@@ -56,7 +56,7 @@ def seconds_left(
 
     Args:
         took: seconds of the assets that this call has made.
-        waiting: assets that are not begun.
+        waiting: assets that are not started.
         running: seconds that each of the others has run.
         places: how many are made at once.
     """

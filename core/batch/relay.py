@@ -30,7 +30,7 @@ from core.io.lock import run_lock
 
 RECORD = "cluster.json"  # in the run folder: which job has it; never a token
 BACK = ("preview", "checkpoint", "asset")  # folders of the run that the cluster may write
-WAITS_SECONDS = 30.0  # for room on the cluster, before the user is told
+WAITS_SECONDS = 30.0  # for room on the cluster, before the user is informed
 SECONDS = 30.0  # between two checkpoints that come back
 PAUSE = 1.0  # seconds between two looks at the cluster
 REST = 10.0  # a pause is this many times as long as reading the log took
@@ -63,7 +63,7 @@ class Relay:
             self._check_cancelled()
             self._submit()
         while True:
-            begun = time.monotonic()
+            started = time.monotonic()
             # Its state first: what it printed before its end is then in the log.
             state, more = self._jobs.state(self._job)
             self._take(self._jobs.log(self._job) if state else "")
@@ -77,7 +77,7 @@ class Relay:
             if self._cancelled() and not self._stopped:
                 self._jobs.stop(self._job)
                 self._stopped = True
-            time.sleep(max(PAUSE, REST * (time.monotonic() - begun)))
+            time.sleep(max(PAUSE, REST * (time.monotonic() - started)))
 
     def _warn(self, state: str) -> None:
         if state != "PENDING":
@@ -155,7 +155,7 @@ def zipped(files: Mapping[str, bytes]) -> bytes:
     """A zip whose bytes depend on its contents alone."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w") as archive:
-        for name, content in files.items():  # a ZipInfo is packed as its own call says
+        for name, content in files.items():  # a ZipInfo is packed as its own call requests
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED, 1)
     return out.getvalue()
 
@@ -213,7 +213,7 @@ def relay(folder: Path, url: str, until: str, since: float) -> Path | None:
 
 
 def _ended(folder: Path, events: EventWriter, message: Mapping[str, Any]) -> Path:
-    """The asset; raises what the job's last event says."""
+    """The asset; raises the error of the job's last event."""
     end, last = message["end"], message.get("event") or {}
     text, fix = str(last.get("text") or end["text"]), str(last.get("fix") or "")
     if end["code"] == 0 and last.get("type") == "done" and (folder / "asset").is_dir():

@@ -62,7 +62,7 @@ class State:
     attempts: int = 0
     end: End | None = None  # of its last attempt
     larger: tuple[End, str] | None = None  # that of the attempt before smaller parts, and its job
-    begun: float = 0.0  # of the running attempt, on the monotonic clock
+    started: float = 0.0  # of the running attempt, on the monotonic clock
 
 
 @dataclass
@@ -85,7 +85,7 @@ class Batch:
     def _run(self) -> None:
         waiting = deque(task for task in self.tasks if not is_done(task))
         self._waiting, self._running = waiting, dict[Path, Task]()
-        self._failed, self._is_told = self.refused, False
+        self._failed, self._is_reported = self.refused, False
         self._line = ProgressLine(len(self.tasks) + self.refused)
         try:
             while waiting or self._running:
@@ -104,8 +104,8 @@ class Batch:
 
     def _tell_of_no_room(self) -> None:
         """Once: a cluster may have no node that is large enough, and get one later."""
-        if self._waiting and not self._running and not self._is_told:
-            self._is_told = True
+        if self._waiting and not self._running and not self._is_reported:
+            self._is_reported = True
             self._line.add(f"No node has room for an asset ({self.pool.needs}); waiting for one.")
 
     def _start(self, task: Task) -> None:
@@ -113,10 +113,10 @@ class Batch:
         if not (task.folder / "job.json").is_file():
             RunFolder.create(task.folder, task.job)
         elif task.folder not in self.states:  # of an earlier call
-            with suppress(UserError):  # of a broken job.json, which the run itself tells
+            with suppress(UserError):  # of a broken job.json, which the run itself reports
                 take_means(task.folder, task.job)
         state = self.states.setdefault(task.folder, State())
-        state.attempts, state.begun = state.attempts + 1, time.monotonic()
+        state.attempts, state.started = state.attempts + 1, time.monotonic()
         self._running[task.folder] = task
         self.pool.start(task)
 
@@ -147,7 +147,7 @@ class Batch:
     def _show(self) -> None:
         ends = [state.end for state in self.states.values() if state.end]
         now = time.monotonic()
-        running = [now - self.states[path].begun for path in self._running]
+        running = [now - self.states[path].started for path in self._running]
         took = [end.seconds for end in ends if end.code == 0]
         left = seconds_left(took, len(self._waiting), running, self.pool.places)
         self._line.show(self._done(), len(running), self._failed, left)
@@ -170,8 +170,8 @@ def remove_checkpoints(folder: Path) -> None:
 
 
 def take_means(folder: Path, job: Job) -> None:
-    """Give the begun run in ``folder`` what ``job`` says of the means and not of the result: its
-    device, and the views at once where they are fewer.
+    """Give the started run in ``folder`` those settings of ``job`` that do not change the result:
+    its device, and the views at once where they are fewer.
 
     Not more: the same command as before must not undo :func:`use_smaller_parts`.
     """

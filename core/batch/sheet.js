@@ -8,7 +8,7 @@ let model = null, wanted = null;
 
 function relight() {
   const head = `#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${rows} +X ${columns}\n`;
-  // The ending tells the viewer that it is a high dynamic range.
+  // By the ending the viewer knows that it is a high dynamic range.
   viewer.environmentImage = URL.createObjectURL(new Blob([head, bytes(lights[get("light").value])])) + "#.hdr";
 }
 

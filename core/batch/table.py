@@ -95,7 +95,7 @@ def _lines(text: str) -> list[Row]:
 
 def _csv_rows(text: str, path: Path) -> list[Row]:
     first = text.partition("\n")[0]
-    # Some countries' spreadsheets write semicolons; where there is none of them, the name tells.
+    # Some countries' spreadsheets write semicolons; where there is none of them, the name decides.
     delimiter = max("\t,;" if path.suffix.lower() == ".tsv" else ",;\t", key=first.count)
     reader = csv.reader(io.StringIO(text), delimiter=delimiter, strict=True)
     try:
@@ -148,7 +148,7 @@ def _cells(header: list[str], cells: list[str], line: int, path: Path) -> list[t
 def _row(line: int, cells: dict[str, str], path: Path) -> Row:
     for name in (name for name in FILES if name in cells):
         here = path.parent / cells[name]
-        # A folder is a checkpoint at most: one named mesh may lie beside a base colour of "mesh".
+        # A folder is a checkpoint at most: one named mesh may be next to a base colour of "mesh".
         if here.is_file() or (name == "guidance" and here.is_dir()):
             cells[name] = str(here)
     settings = {name: cell for name, cell in cells.items() if "." in name}

@@ -22,7 +22,7 @@ from core.errors import UserError
 from core.io.job import write_text
 from core.io.json_file import read_object
 
-LONG = 20.0  # s, beside which what only a first run does is little
+LONG = 20.0  # s, compared with which the first run's extra work is small
 PARTS = ("render", "gradients", "geometry", "texture", "guidance", "gpu")
 
 

@@ -83,7 +83,7 @@ def bench_distillation(
             f"Use one of: {', '.join(offered_words()['noun'])}.",
         )
     torch.set_num_threads(1)
-    config_of("sds", calls, settings)  # what is wrong with them is said before anything is made
+    config_of("sds", calls, settings)  # their errors are reported before anything is made
     keep_settings(folder or FOLDER, {"calls": calls, "settings": settings})
     chosen = list(nouns or NOUNS)
     references, scores = reference_clouds(chosen), []
@@ -177,7 +177,7 @@ def learned_kd(run: RunFolder, guidance: PromptedGuidance, config: Config, noun:
     training = Training("appearance", net, generator, run)
     light = Environment.of(studio(), look.shading)
     learn_appearance(Setup(training, guidance, look), mesh, light, progress)
-    # Faces by their area: the lattice's are small, so their middles stand for the surface.
+    # Faces by their area: the lattice's are small, so their middles represent the surface.
     face = torch.multinomial(face_areas(verts, faces), POINTS, True, generator=_seeded())
     with torch.no_grad():
         return net(verts[faces[face]].mean(1)).kd

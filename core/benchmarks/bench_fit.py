@@ -136,7 +136,7 @@ def side_by_side(
 
 
 def clay(n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]) -> UInt8[np.ndarray, "h bw 3"]:
-    """Pictures of normals, weighted by coverage, lit by two lamps, one beside the other."""
+    """Pictures of normals, weighted by coverage, lit by two lamps side by side."""
     n = torch.einsum("bij,bhwj->bhwi", VIEWS.rotation, n)
     n = torch.nn.functional.normalize(n, dim=-1, eps=1e-6)
     lamps = torch.nn.functional.normalize(n.new_tensor([[-0.5, 0.7, 0.6], [0.8, 0.1, 0.4]]), dim=1)
@@ -146,12 +146,12 @@ def clay(n: Float[Tensor, "b h w 3"], o: Float[Tensor, "b h w 1"]) -> UInt8[np.n
 
 
 def misses(found: dict[str, Any]) -> list[str]:
-    """What of a noun's scores misses its target, by name."""
+    """The names of a noun's scores that miss their target."""
     low, high = CREASE
     wrong = [name for name, most in TARGETS.items() if (found[name] or 0) > most]
     wrong += ["crease"] if not low <= (found["crease"] or 1) <= high else []
     wrong += ["genus"] if found["genus"] != found["true_genus"] else []
-    # Of the truth's too: a family's arms may hang beside the body, and a draft joins them to it.
+    # The truth's too: a family's arms may hang next to the body, and a draft joins them to it.
     wrong += ["components"] if found["components"] > 1 else []
     return wrong + ([] if found["closed"] else ["closed"])
 

@@ -30,8 +30,8 @@ class Slope(NamedTuple):
 class GradientError:
     """Of the mask, of the normals, and of the normals where no outline comes near.
 
-    The first two against area averages. The last one against pictures of the same size: what lies
-    between the outlines is sampled at the pixels' centres, by ours and by theirs.
+    The first two against area averages. The last one against pictures of the same size: the area
+    between the outlines is sampled at the pixels' centres in both.
     """
 
     outline: Slope

@@ -2,9 +2,9 @@
 
 Every noun is generated with each seed, in words that also name a colour and a material, and scored:
 shape by retrieval among held-out shapes of all nouns (``core.prior.retrieval``) and by what that
-does not see (``likeness``: creases, planes, what is missing, pieces), colour, material, closedness,
-components and holes. A run is one folder and its score one file in it: a bench that was
-stopped goes on where it stood, and a run that is there is not made again.
+does not see (``likeness``: creases, planes, missing parts, components of slices), colour, material,
+closedness, components and holes. A run is one folder and its score one file in it: a bench that was
+stopped continues where it was, and an existing run is not made again.
 """
 
 import json
@@ -36,8 +36,8 @@ from core.stages.start_color import surface_colors
 from core.texture.detail.detail import THIN
 
 FOLDER = Path("out/bench_prior")
-# Holes that make a thing what it is, and what must not have any: what stands on legs that are
-# apart, and what something is poured into.
+# Holes that define a thing, and things that must not have any: those on separate legs, and those
+# that something is poured into.
 GENUS = {"torus": 1, "mug": 1, "teapot": 1, "bucket": 1, "trophy": 2, "crown": 1}
 GENUS |= dict.fromkeys(("table", "stool", "armchair", "sofa", "bed"), 0)
 GENUS |= dict.fromkeys(("vase", "bottle", "bowl", "pan", "goblet"), 0)
@@ -45,7 +45,7 @@ ADDED = dict.fromkeys(("mug", "bucket"), " with a handle")  # which they have no
 MAX_DELTA_E = 20.0
 CREASE = 0.85  # of the family's own, at the least; less is clay
 MORE_MISSING = 0.03  # than a noun's objects lack of one another
-SLICES = 0.85  # fraction of the slices with a number of pieces that the noun has there
+SLICES = 0.85  # fraction of the slices with as many components as the noun's have there
 ROUGHNESS_REACH = 0.2  # around the word's own
 POINTS = 4000
 
@@ -55,8 +55,8 @@ def bench_prior(
 ) -> None:
     """Make what ``folder`` lacks, score it, print the scores and a table; JSON to ``out``.
 
-    ``nouns`` empty: all that the shipped weights offer. One thread: two benches that share the
-    nouns between them use two cores.
+    ``nouns`` empty: all that the shipped weights offer. One thread: two benches, each with half
+    of the nouns, use two cores.
     """
     nouns, known = known_nouns(nouns), offered_words()
     torch.set_num_threads(1)

@@ -1,6 +1,6 @@
 """``run.py bench solids``: the shapes of plain drafts, drawn and put together, before any budget.
 
-It tells in seconds a noun what ``bench prior`` tells in minutes: likeness to the noun's own objects
+It measures in seconds per noun what ``bench prior`` does in minutes: likeness to the noun's objects
 (``likeness``), whether these are the nearest of all nouns' (``core.prior.retrieval``), and variety:
 how far eight drawn solids are from one another, over how far the noun's own objects are.
 """
@@ -27,9 +27,9 @@ from core.prior.retrieval import Cloud, kept_clouds, mesh_cloud, ranking
 
 CREASE = (0.85, 1.15)  # over the family's own: edges are neither rounded nor ragged
 MORE_MISSING = 0.03  # than a noun's objects lack of one another
-PIECES = 0.85  # fraction of the slices with a number of pieces that the noun has there
+COMPONENTS = 0.85  # fraction of the slices with as many components as the noun's have there
 VARIETY = 0.6  # of the family's own
-VARIED = 8  # objects, drawn and own, that it is of: two may be alike by chance
+VARIED = 8  # objects, drawn and own, for the variety: two may be similar by chance
 
 
 def bench_solids(nouns: list[str], seeds: int, out: Path | None = None) -> None:
@@ -110,7 +110,7 @@ def _apart(one: Points, other: Points) -> float:
 def summary(scores: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
     """Of all nouns: how many have what an artist sees."""
 
-    def share(holds: Any) -> float:
+    def fraction(holds: Any) -> float:
         return float(np.mean([holds(one) for one in scores.values()]))
 
     def mean(name: str) -> float:
@@ -120,15 +120,21 @@ def summary(scores: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
         row("shape, top 1", mean("first"), "of shapes", 0.97, True),
         row("shape, top 5", mean("first_five"), "of shapes"),
         row("crease", mean("crease"), "of the family's"),
-        row("edges", share(lambda s: CREASE[0] <= s["crease"] <= CREASE[1]), "of nouns", 0.9, True),
+        row(
+            "edges",
+            fraction(lambda s: CREASE[0] <= s["crease"] <= CREASE[1]),
+            "of nouns",
+            0.9,
+            True,
+        ),
         row(
             "nothing missing",
-            share(lambda s: s["missing"] <= s["usual_missing"] + MORE_MISSING),
+            fraction(lambda s: s["missing"] <= s["usual_missing"] + MORE_MISSING),
             "of nouns",
             0.97,
             True,
         ),
-        row("pieces", share(lambda s: s["pieces"] >= PIECES), "of nouns", 0.97, True),
-        row("various", share(lambda s: s["variety"] >= VARIETY), "of nouns", 0.97, True),
+        row("pieces", fraction(lambda s: s["pieces"] >= COMPONENTS), "of nouns", 0.97, True),
+        row("various", fraction(lambda s: s["variety"] >= VARIETY), "of nouns", 0.97, True),
         row("making, CPU", mean("cpu_s"), "s"),
     ]

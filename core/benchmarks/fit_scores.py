@@ -26,7 +26,7 @@ CREASE_REACH = 0.035  # about a point of an edge, where the angle across it is m
 CREASE_POINTS = 400
 CREASE_QUANTILE = 0.03  # of the cosines of all pairs: the angle across, but for outliers
 CURVE_REACH = 0.15  # about a point, where a ball's curvature is measured
-TRUTH_RESOLUTION = 96  # of the lattice that tells the solid's holes and pieces
+TRUTH_RESOLUTION = 96  # of the lattice that the solid's holes and components are counted on
 
 Points = Float[np.ndarray, "_ 3"]
 Normed = tuple[KDTree, Points]  # points to search in, and their normals
@@ -61,7 +61,7 @@ class Truth:
 
 
 def _topology(shape: Shape) -> tuple[int, int]:
-    """Genus and pieces of the solid, counted on a fine lattice."""
+    """Genus and components of the solid, counted on a fine lattice."""
     grid = tet_grid(TRUTH_RESOLUTION)
     sdf = torch.cat([shape.sdf(part) for part in grid.tet_verts.split(1 << 17)])
     report = health(*drop_floaters(*marching_tets(grid.tet_verts, sdf, grid)))
@@ -78,7 +78,7 @@ def scores(
     chamfer: mean distance of the two surfaces' points, both ways, × 1000.
     flat, edge: mean angle to the true normal on planes and at edges.
     crease: the angle across edges over the true one; 1 is right, less is rounded.
-    missing: share of the true surface that the mesh lacks; extra: of the mesh that is not there.
+    missing: fraction of the true surface that the mesh lacks; extra: of the mesh that is not there.
     genus, components, closed, degenerate_faces: of the mesh; true_genus, true_components.
     """
     p, n = sampled(verts, faces)

@@ -31,7 +31,7 @@ EDGE_FRACTION = 0.1  # the sharpest of the surface, whose angle is the crease
 LOST = 0.07  # a point of the family's farther away than this is missing
 HEIGHTS = 16  # horizontal slices
 SLICE = 72  # cells along a slice
-SPECK = 4  # cells; a smaller piece of a slice is noise
+SPECK = 4  # cells; a smaller component of a slice is noise
 TURN_POINTS, TURNS = 384, 72  # for the search of the turn about the vertical
 
 Points = Float[np.ndarray, "_ 3"]
@@ -39,11 +39,11 @@ Points = Float[np.ndarray, "_ 3"]
 
 @dataclass(frozen=True)
 class Surface:
-    """Points with their normals, and the number of pieces of each horizontal slice, from below."""
+    """Points with their normals, and the components in each horizontal slice, from below."""
 
     points: Points
     normals: Points
-    pieces: Int[np.ndarray, " _"]
+    components: Int[np.ndarray, " _"]
 
     @classmethod
     def of_mesh(cls, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> "Surface":
@@ -55,7 +55,7 @@ class Surface:
         some = np.random.default_rng(0).permutation(len(points))[:POINTS]
         solid = SolidMesh(verts, faces)
         inside = solid.winding(_slices()) > 0.5
-        return cls(points[some], normals[some], _pieces(inside.numpy()))
+        return cls(points[some], normals[some], _components(inside.numpy()))
 
     @classmethod
     def of_solid(cls, shape: Shape) -> "Surface":
@@ -68,13 +68,13 @@ class Surface:
         normals = gradient(shape.sdf, points)
         inside = torch.cat([shape.sdf(at / scale + middle) < 0 for at in _slices().split(1 << 15)])
         placed = (points - middle) * scale
-        return cls(placed.numpy(), normals.numpy(), _pieces(inside.numpy()))
+        return cls(placed.numpy(), normals.numpy(), _components(inside.numpy()))
 
     @cached_property
     def bends(self) -> Float[np.ndarray, " n"]:
         """At each point the largest angle between its normal and another within reach, degrees.
 
-        Of several points: the ninth in ten, so that one face of a mesh that stands askew is no
+        Of several points: the ninth in ten, so that one askew face of a mesh is no
         edge.
         """
         pairs = KDTree(self.points).query_pairs(REACH, output_type="ndarray")
@@ -101,13 +101,13 @@ class Surface:
 
 
 def likeness(mesh: Surface, noun: str) -> dict[str, float]:
-    """The measures of a mesh that is to be the noun.
+    """The measures of a mesh of the noun.
 
     crease: its crease over the family's mean; less than 1 is rounded.
     flat: its plane fraction over the family's mean; 1 too where the family has no planes.
     missing: the fraction of the nearest object's surface that the mesh lacks.
     usual_missing: what the family's objects lack of one another, the least for each, in the mean.
-    pieces: the fraction of the horizontal slices that are in as many pieces as those of the most
+    pieces: the fraction of the horizontal slices with as many components as those of the most
         similar object, a slice higher or lower at the most: legs, wheels and spikes count here.
     """
     family = objects(noun)
@@ -160,17 +160,17 @@ def _slices() -> Float[Tensor, "n 3"]:
     return torch.stack([x, y, z], -1).reshape(-1, 3)
 
 
-def _pieces(inside: np.ndarray) -> Int[np.ndarray, " _"]:
+def _components(inside: np.ndarray) -> Int[np.ndarray, " _"]:
     counts = []
     for one in inside.reshape(HEIGHTS, SLICE, SLICE):
-        pieces = np.asarray(label(one, np.ones((3, 3)))[0])  # pyright: ignore[reportIndexIssue]
-        counts.append(int((np.bincount(pieces.ravel())[1:] >= SPECK).sum()))
+        components = np.asarray(label(one, np.ones((3, 3)))[0])  # pyright: ignore[reportIndexIssue]
+        counts.append(int((np.bincount(components.ravel())[1:] >= SPECK).sum()))
     return np.array(counts)
 
 
 def _like_slices(mesh: Surface, family: tuple[Surface, ...]) -> float:
     return max(
-        _equal(mesh.pieces, np.roll(other.pieces, shift))
+        _equal(mesh.components, np.roll(other.components, shift))
         for other in family
         for shift in (-1, 0, 1)
     )

@@ -64,7 +64,7 @@ def check_target(path: Path) -> None:
     with disk_errors(path):
         if path.is_dir():
             raise UserError(f"{path} is a folder.", "Name a file.")
-        # Each as the system says it: not there, no folder, a name that is too long.
+        # Each as the system reports it: not there, not a folder, a name that is too long.
         _check_writable(path.parent)
         with suppress(FileNotFoundError):
             path.lstat()

@@ -58,7 +58,7 @@ def read_exr(path: "str | Path") -> Float[Tensor, "h w 3"]:
 
 
 def _check_size(library, path: "str | Path") -> None:
-    """Before any memory is taken: the header alone says how much."""
+    """Before any memory is taken: the header alone states how much."""
     size = Path(path).stat().st_size
     with library.File(str(path), header_only=True) as file:
         values = 0
@@ -107,7 +107,7 @@ def write_exr(
 
 
 def load_library():
-    """The OpenEXR module, or a sentence that says how to get it."""
+    """The OpenEXR module, or a sentence that states how to install it."""
     try:
         import OpenEXR
     except ImportError as error:

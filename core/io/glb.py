@@ -26,7 +26,7 @@ ROLES = ("base_color", "orm", "normal", "emission", "transmission")  # the textu
 
 @dataclass
 class _Buffer:
-    """The binary part, as it grows, and the JSON that tells where what lies."""
+    """The growing binary part, and the JSON that describes its layout."""
 
     data: bytearray = field(default_factory=bytearray)
     views: list[dict[str, Any]] = field(default_factory=list)
@@ -139,7 +139,7 @@ def split_corners(
 ) -> tuple[Int[Tensor, " n"], Int[Tensor, " m"]]:
     """A corner (of 3F) for each split vertex, and the split vertex of each of the 3F corners.
 
-    Split vertices stand in the order of their welded ones.
+    Split vertices are in the order of their welded ones.
     """
     rows = torch.cat([faces[..., None], face_uvs[..., None]], -1).cpu().numpy().reshape(-1, 2)
     bits = tangents.cpu().float().numpy().reshape(-1, 4).view(np.int32)

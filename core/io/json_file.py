@@ -30,7 +30,7 @@ def read_object(path: Path, fix: str) -> dict[str, Any]:
 
 
 def parse_object(text: str, name: str, fix: str) -> dict[str, Any]:
-    """The object in ``text``; ``name`` stands for it in what is raised, as by read_object."""
+    """The object in ``text``; ``name``: its name in errors, which are those of read_object."""
     try:
         data = json.loads(text, parse_constant=_refuse, parse_int=_whole, parse_float=_number)
         if "\\u" in text:  # a lone half of a surrogate pair, which no file takes

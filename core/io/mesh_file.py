@@ -16,7 +16,7 @@ from core.geometry.mesh import Mesh, compact
 from core.io.input_file import check_file, check_size
 from core.ops import srgb_to_linear
 
-# Formats whose files stand +Y up; Blender's importers turn them, and leave the others alone.
+# Formats whose files are +Y up; Blender's importers turn them, and leave the others alone.
 Y_UP = {".obj", ".glb", ".gltf"}
 Z_UP = {".ply", ".stl"}
 MAX_BYTES = 1 << 30  # 20 million faces of an STL; a reader takes many times as much memory
@@ -156,7 +156,7 @@ def _check_materials(path: Path, parts: list[_Part], needed: Needed) -> None:
     """UserError where the parts have what is ``needed``, but not in common."""
     bare = sum(part.uv is None for part in parts)
     if bare == len(parts):
-        return  # whoever needs a uv says that there is none
+        return  # the caller that needs a uv reports that there is none
     if bare:
         raise UserError(
             f"{bare} of the {len(parts)} parts of {path.name} have no UV map.",

@@ -1,4 +1,4 @@
-"""OpenImageIO, the only file that knows the library: numbers as they lie in a file, unconverted."""
+"""OpenImageIO, the only file that imports it: numbers as they are in a file, unconverted."""
 
 import errno
 import os
@@ -43,7 +43,7 @@ def read_pixels(path: Path, format: str) -> np.ndarray:
         if spec.get_int_attribute("Orientation", 1) != 1:
             raise UnreadableError("its rows do not run from the top left")
         pixels = source.read_image(0, 0, 0, spec.nchannels, spec.format.basetype)
-        # The library fills in for scanlines that are missing: what it says counts.
+        # The library fills in missing scanlines: its error message counts.
         if pixels is None or source.has_error:
             raise UnreadableError(_one_line(source.geterror()))
         return pixels
@@ -52,7 +52,7 @@ def read_pixels(path: Path, format: str) -> np.ndarray:
 
 
 def _check_size(spec: OpenImageIO.ImageSpec, size: int, format: str) -> None:
-    """Before any memory is taken: the header alone says how much."""
+    """Before any memory is taken: the header alone states how much."""
     declared = f"its size {spec.width} x {spec.height}"
     if max(spec.width, spec.height) > MAX_SIDE:
         raise UnreadableError(f"{declared} is over {MAX_SIDE} a side")

@@ -11,11 +11,11 @@ from tqdm import tqdm
 
 from core.errors import Cancelled
 from core.io.run_folder import RunFolder
-from core.terminal import tell
+from core.terminal import show
 
 PROGRESS_SECONDS = 0.2  # between two progress events: what a panel can show
 # And this much of the time since the session began: the file of a day's run stays under 1 MB.
-PROGRESS_SHARE = 1e-3
+PROGRESS_FRACTION = 1e-3
 
 
 @dataclass
@@ -37,7 +37,7 @@ class Progress:
         self._run = run
         self._interrupted = False
         self._reported = 0.0  # when the last progress event was written
-        self._begun = time.perf_counter()
+        self._started = time.perf_counter()
 
     def interrupt(self) -> None:
         """Ask for a stop after this step, as the file ``cancel`` does."""
@@ -90,7 +90,7 @@ class Progress:
     @contextmanager
     def timed(self, stage: str) -> Iterator[None]:
         """Add the time within to the stage's; name the stage on the terminal."""
-        tell(f"{stage} …")
+        show(f"{stage} …")
         start = time.perf_counter()
         yield
         timings = self._run.timings
@@ -99,7 +99,7 @@ class Progress:
     def _report(self, stage: str, step: int, steps: int, **numbers: float | None) -> None:
         """A progress event, if the last one is old enough or the stage has ended."""
         now = time.perf_counter()
-        pause = max(PROGRESS_SECONDS, PROGRESS_SHARE * (now - self._begun))
+        pause = max(PROGRESS_SECONDS, PROGRESS_FRACTION * (now - self._started))
         if now - self._reported < pause and step < steps:
             return
         self._reported = now
@@ -160,4 +160,4 @@ class _Bar:
         if self._bar.disable and tenth > self._tenth:
             self._tenth = tenth
             left = "" if seconds_left is None else f", {seconds_left:.0f} s left"
-            tell(f"{self._stage} {done}/{self._total}{left}")
+            show(f"{self._stage} {done}/{self._total}{left}")

@@ -1,4 +1,4 @@
-"""What a picture's or a GLB's own metadata say of its making, and hashes of files."""
+"""Metadata of pictures and GLB files on their origin, and hashes of files."""
 
 import hashlib
 from pathlib import Path

@@ -38,7 +38,7 @@ class RunFolder:
         self.timings: dict[str, float] = {}
         # Radians about +Z by which its guide is turned; the previews are turned back.
         self.turn = 0.0
-        # Of the asset's longest side in metres, where the guidance says it.
+        # The asset's longest side in metres, where the guidance gives it.
         self.size_m: float | None = None
 
     @classmethod

@@ -29,14 +29,14 @@ def mark(corners, mask):
             first, after = int(np.ceil(left - 0.5)), int(np.ceil(right - 0.5))
             for column in range(max(0, first), min(width, after)):
                 twice += under[row, column] == 1
-                # Not beyond 2: a cell counts once, however many triangles lie over it.
+                # Not beyond 2: a cell counts once, however many triangles are over it.
                 under[row, column] = min(2, under[row, column] + 1)
     return twice
 
 
 @compiled
 def _reach(t, low, high):
-    """From where to where in x the triangle lies between two heights; nowhere is (inf, -inf)."""
+    """The range in x where the triangle is between two heights; (inf, -inf) if nowhere."""
     left, right = np.inf, -np.inf
     for i in range(3):
         x0, y0, x1, y1 = t[i, 0], t[i, 1], t[(i + 1) % 3, 0], t[(i + 1) % 3, 1]

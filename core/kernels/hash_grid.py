@@ -69,9 +69,9 @@ def sample_backward(g, table, unit, resolutions, sizes, to_points):
                 wz = w if c else ONE - w
                 along = ZERO
                 for k in range(features):
-                    share = g[i, level * features + k]
-                    grad[row, k] += wx * wy * wz * share
-                    along += share * table[row, k]
+                    gradient = g[i, level * features + k]
+                    grad[row, k] += wx * wy * wz * gradient
+                    along += gradient * table[row, k]
                 # Along its own axis a corner's weight has the slope 1 or -1; the other two factors
                 # stay.
                 gx += along * wy * wz if a else -along * wy * wz

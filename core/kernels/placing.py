@@ -7,14 +7,14 @@ from core.kernels.compiled import compiled
 
 @compiled
 def place(order, sizes, first, spans, room):
-    """Where each chart lies and in which turn, as (turn, column, row); of one without room -1.
+    """Each chart's turn and place, as (turn, column, row); -1 for one without room.
 
     ``sizes`` (C,T,2): width and height in cells, of each chart in each turn. Its cells are
     ``spans[first[c * T + t] : first[c * T + t + 1]]``: rows of (row, from, to), to exclusive.
     """
     charts, turns = sizes.shape[:2]
     # The last taken cell up to each one of a row, -1 for none: a span is free where that of its
-    # end lies before its start.
+    # end is before its start.
     taken = np.full((room, room), -1, np.int32)
     found = np.full((charts, 3), -1, np.int64)
     for c in order:
@@ -25,7 +25,7 @@ def place(order, sizes, first, spans, room):
             for y in range(room - height + 1):
                 x = 0
                 while x <= room - width:
-                    # Its middle lies as low as may be, then as far to the left.
+                    # Its middle is as low as possible, then as far to the left.
                     cost = room * (2 * y + height) + x + width
                     if cost >= best:
                         break

@@ -22,7 +22,7 @@ from core.kernels.quadrics import best_place, misfit
 FREE, LINE, HELD = 0, 1, 2
 SPLIT, COLLAPSE = 4 / 3, 4 / 5  # of the wanted length (Botsch and Kobbelt 2004, §4)
 TURN = 0.8  # cosine, which a face's normal may turn by in one move
-TURN_JOINED = 0.3  # and where an edge becomes a point, which may lie across a sharp edge
+TURN_JOINED = 0.3  # and where an edge becomes a point, which may be across a sharp edge
 TURN_FITTED = 0.3  # and where an edge turns into a sharp one
 FLAT = 0.8  # cosine between two faces whose common edge may turn for their shape's sake
 FIT = 0.12  # of an edge's length: a distance from the surface that is none

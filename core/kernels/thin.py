@@ -1,4 +1,4 @@
-"""Thin faces taken out of a corner table, whatever edges they lie between.
+"""Thin faces taken out of a corner table, whatever edges they are between.
 
 Where two solids nearly meet in a plane, their union has a step that is a thousandth of it high: a
 strip of thin faces between two sharp lines, which the loops of :mod:`core.kernels.remesh` would
@@ -77,7 +77,7 @@ def shortened(table, verts, at, c, fans, marks, thin):
         return False
     if not may_join(table, at, c, fans[0, :nu], fans[1, :nv], marks):
         return False
-    # One of the ends rather than between: it lies on the surface, or on its edge.
+    # One of the ends rather than between: it is on the surface, or on its edge.
     for end, other in ((u, v), (v, u)):
         fan, count = (fans[1], nv) if end == u else (fans[0], nu)
         if stays(verts, corners, fan[:count], verts[end], end, thin):

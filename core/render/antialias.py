@@ -2,7 +2,7 @@
 
 Every silhouette edge is walked over the lines of pixel centres, rows and columns. Where it crosses
 between two neighbouring pixels, one of them under the surface and one beyond it, the two blend by
-how far the edge lies from the middle between them. The blend is linear in the crossing, so the
+how far the edge is from the middle between them. The blend is linear in the crossing, so the
 gradient of the picture is that of the area the surface covers.
 
 Two rules make the slope 1:
@@ -33,7 +33,7 @@ from core.ops import places
 from core.render.rasterizer import Fragments, Points, take
 from core.render.visibility import repeat_and_count, to_screen
 
-# A silhouette edge may lie this far behind what its outer pixel shows and still bound it: the
+# A silhouette edge may be this far behind what its outer pixel shows and still bound it: the
 # rounding of an interpolated depth.
 DEPTH_EPS = 1e-5
 
@@ -47,7 +47,7 @@ class EdgeTable(NamedTuple):
 
 
 def edge_table(faces: Int[Tensor, "f 3"]) -> EdgeTable:
-    """Who shares an edge with whom. Once per mesh."""
+    """The edges of a mesh and their faces. Once per mesh."""
     # Half-edge 3 f + k runs from corner k to k + 1 of face f, opposite of corner k + 2.
     verts = torch.stack([faces, faces.roll(-1, 1)], -1).view(-1, 2)
     opposite = faces.roll(-2, 1).reshape(-1)
@@ -115,12 +115,12 @@ class Silhouette(NamedTuple):
     index: Int[Tensor, "s 2"]  # their ends, in the flattened (B, V) vertices
     start: Float[Tensor, "s 3"]
     along: Float[Tensor, "s 3"]  # end - start
-    side: Float[Tensor, " s"]  # > 0: the surface lies to the left of `along`, in (column, row)
+    side: Float[Tensor, " s"]  # > 0: the surface is to the left of `along`, in (column, row)
 
 
 @torch.no_grad()
 def silhouettes(fragments: Fragments, faces: Int[Tensor, "f 3"], edges: EdgeTable) -> Silhouette:
-    """The edges that bound the surface on the screen: their faces lie on one side of them.
+    """The edges that bound the surface on the screen: their faces are on one side of them.
 
     On a closed surface these are the edges with exactly one face towards the camera.
     """
@@ -278,7 +278,7 @@ def locate(crossing: Crossings, fragments: Fragments) -> tuple[Float[Tensor, " m
     s = (crossing.line + 0.5 - y0) / (y1 - y0)
     place = x0 + s * (x1 - x0) - 0.5 - crossing.lower
     # Linear on the screen is linear in 1/w on the mesh.
-    share = torch.stack([1 - s, s], 1) / clip[..., 3]
+    weight = torch.stack([1 - s, s], 1) / clip[..., 3]
     view = crossing.index[:, 0].div(fragments.clip.shape[1], rounding_mode="floor")
     corners = crossing.index - (view * fragments.clip.shape[1])[:, None]
-    return place, Points(view, corners, share / share.sum(1, keepdim=True))
+    return place, Points(view, corners, weight / weight.sum(1, keepdim=True))

@@ -1,6 +1,6 @@
 """From a mesh and cameras to the covered pixels, with gradients.
 
-:func:`core.render.visibility.visibility` says which face is seen where; everything here is a
+:func:`core.render.visibility.visibility` finds which face is seen where; everything here is a
 smooth function of the vertices at those pixels, and plain torch autograd. What that misses is the
 motion of the silhouette, which :mod:`core.render.antialias` adds.
 """
@@ -127,7 +127,7 @@ def barycentrics(
     a corner's weight is the cross product of the other two. No division by w: holds for faces
     that reach behind the camera (homogeneous rasterization, Olano and Greer 1997).
 
-    A sliver, of which only rounding is left, gives its middle without gradient.
+    A sliver of the size of rounding errors gives its middle without gradient.
     """
     if kernels.supports(clip, corners):
         return kernels.Barycentrics.apply(clip, view, corners, pixel, height, width)

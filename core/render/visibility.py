@@ -56,7 +56,7 @@ def visibility(
 ) -> Int[Tensor, "b {height} {width}"]:
     """The nearest face at each pixel centre, -1 where there is none.
 
-    ``clip`` are OpenGL clip coordinates; what lies before the near plane (z < -w) is cut away.
+    ``clip`` are OpenGL clip coordinates; parts before the near plane (z < -w) are cut away.
     ``cull`` drops faces seen from behind (clockwise on the screen): right for closed surfaces,
     and half the work. At equal depth the face with the smaller index wins.
     """
@@ -180,8 +180,8 @@ def draw(keys: Int[Tensor, " p"], triangles: Triangles, size: tuple[int, int], c
         return
     part = area.cumsum(0) // CHUNK
     sizes = torch.unique_consecutive(part, return_counts=True)[1].tolist()
-    pieces = zip(*(t.split(sizes) for t in triangles), rows.split(sizes, 1), strict=True)
-    for *fields, some in pieces:
+    parts = zip(*(t.split(sizes) for t in triangles), rows.split(sizes, 1), strict=True)
+    for *fields, some in parts:
         draw_spans(keys, Triangles(*fields), some, int(some[1].sum()), size, cull)
 
 
@@ -276,7 +276,7 @@ def cross(
 def repeat_and_count(
     count: Int[Tensor, " n"], total: int
 ) -> tuple[Int[Tensor, " {total}"], Int[Tensor, " {total}"]]:
-    """Each index as often as its ``count`` says, and 0, 1, 2, ... within each; ``total`` in all."""
+    """Each index ``count`` times, and 0, 1, 2, ... within each; ``total`` in all."""
     end = count.cumsum(0)
     index = torch.repeat_interleave(count, output_size=total)
     place = torch.arange(total, device=count.device)

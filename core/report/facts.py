@@ -1,4 +1,4 @@
-"""What a run folder tells of its run: job, settings, curves, film, warnings, health, timings."""
+"""The facts in a run folder: job, settings, curves, film, warnings, health, timings."""
 
 import dataclasses
 from dataclasses import dataclass, field

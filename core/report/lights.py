@@ -1,4 +1,4 @@
-"""Lights for the report's viewer, small enough to stand in the page: RGBE texels, rows from above.
+"""Lights for the report's viewer, small enough to be in the page: RGBE texels, rows from above.
 
 Axes are glTF's (+Y up, the asset looks along +Z), columns as three.js reads a lat-long map.
 """

@@ -70,7 +70,7 @@ def html(facts: Facts) -> str:
 
 def filled(page: str, parts: dict[str, str]) -> str:
     """``page`` with each ``@name@`` replaced by that part."""
-    # By pieces, not by replacing: a prompt may contain the name of a place.
+    # Split, not replaced: a prompt may contain the name of a place.
     first, *rest = page.split("@")
     return first + "".join(parts[text] if at % 2 == 0 else text for at, text in enumerate(rest))
 

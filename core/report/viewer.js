@@ -20,7 +20,7 @@ function relight() {
   const head = `#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${rows} +X ${columns}\n`;
   const old = shown;
   shown = URL.createObjectURL(new Blob([head, turned]));
-  // The ending tells the viewer that it is a high dynamic range.
+  // By the ending the viewer knows that it is a high dynamic range.
   viewer.environmentImage = shown + "#.hdr";
   if (old) setTimeout(() => URL.revokeObjectURL(old), 5000);
 }

@@ -33,7 +33,7 @@ from core.reproduce.figures import ASSETS, Figure, Row
 from core.reproduce.guides import guide_file
 from core.reproduce.numbers import measured
 from core.stages.preview import over_grey
-from core.terminal import tell
+from core.terminal import show
 
 ROOT = Path(__file__).parents[2]
 GUIDE = "guide"  # a shot of the guide mesh in place of a command
@@ -146,7 +146,7 @@ def make(figure: Figure, order: Order, rows: Sequence[str] = ()) -> None:
     for each in missing:
         _make_row(each, order, failures)
         result = each.result or {}
-        tell(f"{figure.name}: {each.row.name}: {result.get('failure') or 'done'}")
+        show(f"{figure.name}: {each.row.name}: {result.get('failure') or 'done'}")
 
 
 def _make_runs(plans: Sequence[Plan], order: Order) -> dict[Path, str]:
@@ -226,12 +226,12 @@ def carry_out(words: Sequence[str]) -> None:
     command = [sys.executable, str(ROOT / "run.py"), *words]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
-        said = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
-        raise UserError(said[-1][7:] if said else f"{words[0]} failed: {done.stderr[-300:]}")
+        errors = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
+        raise UserError(errors[-1][7:] if errors else f"{words[0]} failed: {done.stderr[-300:]}")
 
 
 def draw_normals(path: Path, out: Path, size: int) -> None:
-    """A picture of a mesh's normals, from where the ``render`` command stands."""
+    """A picture of a mesh's normals, from the camera of the ``render`` command."""
     mesh = load_mesh(path)
     verts, _, _ = normalise(mesh.verts)
     n, o = render_normals(verts, mesh.faces, Cameras.orbit([30.0], [20.0]), size, "object")

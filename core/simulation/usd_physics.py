@@ -25,8 +25,8 @@ MAPS = {  # role: the shader's input, its type, the picture's output and colour 
     "transmission": ("opacity", "float", "r", "raw"),
 }
 LIGHT = f"({EMISSION_STRENGTH}, {EMISSION_STRENGTH}, {EMISSION_STRENGTH}, 1)"
-# What a picture's values are for the input, as (bias, scale). A normal map's 0 to 1 stands for -1
-# to 1 (UsdPreviewSurface Specification, "normal"); opacity is what goes not through.
+# The change of a picture's values for the input, as (bias, scale). A normal map's 0 to 1 means -1
+# to 1 (UsdPreviewSurface Specification, "normal"); opacity is what does not go through.
 SHIFTS = {
     "normal": ("(-1, -1, -1, 0)", "(2, 2, 2, 1)"),
     "emission": ("(0, 0, 0, 0)", LIGHT),

@@ -46,7 +46,7 @@ class Draw:
         negative = torch.full((views,), anneal(*phase.csd_negative, progress))
         together = guidance.views_together
         groups = views // together
-        # The order is part of every result: a seed stands for this stream of numbers.
+        # The order is part of every result: a seed means this stream of numbers.
         return cls(
             sample_groups(views, together, config.cameras, generator),
             # Views that are denoised together are at one time.
@@ -62,7 +62,7 @@ class Draw:
     ) -> "Iterator[Draw]":
         """This process's views on ``device``, ``views_at_once`` at a time, the last part less."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
-        mine = {name: value[ranks.share] for name, value in values.items() if value is not None}
+        mine = {name: value[ranks.own] for name, value in values.items() if value is not None}
         for part in portions(len(mine["t"]), views_at_once):
             some = {name: value[part] for name, value in mine.items()}
             cameras = some.pop("cameras").to(device)

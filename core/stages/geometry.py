@@ -292,7 +292,7 @@ class Fitting(Phase):
         rays, mask = rounds.ray_mask > 0, some.z[:, 3]
         # Drawn for all views at once, as a Draw is.
         shifts = torch.rand(mask.shape, generator=generator) if rays else torch.zeros(mask.shape)
-        parts = zip(some.split(at_once, ranks), shifts[ranks.share].split(at_once), strict=True)
+        parts = zip(some.split(at_once, ranks), shifts[ranks.own].split(at_once), strict=True)
         for part, shift in parts:
             z, _ = scene.latents(part.cameras, rounds.size)
             loss = fit_loss(z, part.z)
@@ -301,7 +301,7 @@ class Fitting(Phase):
             yield loss / len(some.z)
         if scene.band is None:
             yield from (loss / ranks.world for loss in smoothness(scene, setup.config))
-        else:  # the shape is nearly there, and the pictures say all; but only of the band
+        else:  # the shape is nearly complete, and the pictures determine it; but only in the band
             yield strays(scene.net, self.grid, scene.band, generator) / ranks.world
 
 

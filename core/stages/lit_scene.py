@@ -101,12 +101,12 @@ def _ways(
 ) -> tuple[Float[Tensor, "p 3"], int]:
     """A way for each of this process's points, and the number of all processes' points."""
     counts = torch.zeros(views, dtype=torch.long)
-    mine = counts[ranks.share]  # a view of it; fewer are filled where a picture was not finite
+    mine = counts[ranks.own]  # a view of it; fewer are filled where a picture was not finite
     for view in scene.views:
         mine += torch.bincount(view.cpu(), minlength=len(mine))
     sizes = ranks.sum(counts).tolist()
     ways = torch.randn(sum(sizes), 3, generator=generator).split(sizes)
-    return sent(torch.cat(ways[ranks.share]), scene.device) * SMOOTH_REACH, sum(sizes)
+    return sent(torch.cat(ways[ranks.own]), scene.device) * SMOOTH_REACH, sum(sizes)
 
 
 @torch.no_grad()

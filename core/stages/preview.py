@@ -110,7 +110,7 @@ def _clustered(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], size: float
 ) -> tuple[Int[Tensor, "g 3"], Int[Tensor, " v"]]:
     """The faces between the cubes of side ``size`` that hold vertices, and each vertex's cube;
-    faces that this closes are gone, and so are those that come to lie on one another."""
+    faces that collapse are removed, and so are those that coincide."""
     cubes = ((verts - verts.amin(0)) / size).long()
     _, cell = torch.unique(_one_number(cubes), return_inverse=True)
     corners = cell[faces]

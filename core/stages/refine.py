@@ -1,8 +1,8 @@
-"""Rounds of fitting, beyond the paper: to denoised pictures of what there is.
+"""Rounds of fitting, beyond the paper: to denoised pictures of the present shape.
 
 Score distillation seeks one shape that suits every noise at once: thin parts, for each of which
 every noise means another place, fade, planes stay dented and edges round. A round renders pictures
-of what there is, adds noise and removes it again (SDEdit: Meng et al. 2022), and fits to all of
+of the present shape, adds noise and removes it again (SDEdit: Meng et al. 2022), and fits to all of
 them by plain regression (the dataset update of Instruct-NeRF2NeRF: Haque et al. 2023, §4.2).
 """
 
@@ -47,7 +47,7 @@ class Targets:
 
     def split(self, views_at_once: int, ranks: Ranks = ALONE) -> "list[Targets]":
         """This process's views in parts of ``views_at_once``, the last one smaller."""
-        cameras, z = self.cameras[ranks.share], self.z[ranks.share]
+        cameras, z = self.cameras[ranks.own], self.z[ranks.own]
         return [Targets(cameras[part], z[part]) for part in portions(len(z), views_at_once)]
 
 
@@ -71,9 +71,9 @@ def _targets(setup: Setup, rounds: RefineConfig, scene: Scene, number: int) -> T
     config, guidance, generator = setup.config, setup.guidance, setup.training.generator
     ranks = setup.ranks
 
-    # PICTURES: of what there is, all round; this process's share of them
+    # PICTURES: of the present shape, all round; those of this process
     cameras = sample_cameras(rounds.views, config.cameras, generator).to(scene.device)
-    mine = cameras[ranks.share]
+    mine = cameras[ranks.own]
     with torch.no_grad():
         parts = portions(len(mine), setup.at_once)
         seen = [scene.latents(mine[part], rounds.size) for part in parts]
@@ -107,7 +107,7 @@ def cleaned(
     level = anneal(*rounds.t, fraction(number, rounds.rounds))
     t = min(round(level * len(guidance.alpha_bar)), len(guidance.alpha_bar) - 1)
     count = len(z) if ranks.world == 1 else rounds.views  # drawn for all of the round
-    eps = torch.randn(count, *z.shape[1:], generator=generator)[ranks.share].to(z)
+    eps = torch.randn(count, *z.shape[1:], generator=generator)[ranks.own].to(z)
     z_t = add_noise(z, eps, guidance.alpha_bar.to(z)[t].expand(len(z)))
 
     # DENOISED: what the guidance means by them

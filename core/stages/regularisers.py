@@ -46,7 +46,7 @@ def bending(
 def strays(net: SdfNet, grid: TetGrid, band: Band, generator: torch.Generator) -> Float[Tensor, ""]:
     """How far Ψ falls short, in cells, of the side that nodes outside of the band were on.
 
-    Of ``FAR_NODES`` nodes, drawn at random. The pictures say nothing of them, so that a network
+    Of ``FAR_NODES`` nodes, drawn at random. The pictures do not show them, so a network
     which is fitted to the band alone may put walls where nothing was.
     """
     outside = torch.ones(len(grid.tet_verts), dtype=torch.bool, device=grid.tet_verts.device)

@@ -32,7 +32,7 @@ STAGE = "geometry"  # of the progress events
 
 
 class Part(NamedTuple):
-    """A mesh of which a part is free."""
+    """A mesh with a free part."""
 
     verts: Float[Tensor, "v 3"]  # in the training's cube
     faces: Int[Tensor, "f 3"]

@@ -30,7 +30,7 @@ NORMALS = Render(base=17e6, pixel=64, covered=149)
 LIT = Render(base=250e6, pixel=60, covered=272)
 
 
-def covered_share(cameras: CameraConfig) -> float:
+def covered_fraction(cameras: CameraConfig) -> float:
     """The most of a picture that the sphere around the object covers: from the nearest camera with
     the longest lens."""
     half_picture = math.tan(math.radians(cameras.fovy_deg[0]) / 2)
@@ -40,7 +40,7 @@ def covered_share(cameras: CameraConfig) -> float:
 
 def render_bytes(kind: Render, views: int, size: int, cameras: CameraConfig) -> float:
     """Bytes of ``views`` pictures of ``size`` pixels, rendered together with their gradient."""
-    pixel = kind.pixel + kind.covered * covered_share(cameras)
+    pixel = kind.pixel + kind.covered * covered_fraction(cameras)
     return kind.base + views * size**2 * pixel
 
 

@@ -49,7 +49,7 @@ def gather(losses: Iterator[Tensor]) -> Float[Tensor, ""]:
     """
     values: list[Tensor] = []
     for loss in losses:
-        if loss.requires_grad:  # a regulariser may have nothing to say
+        if loss.requires_grad:  # a regulariser may not apply
             loss.backward()
         values.append(loss.detach().double())
     # A tensor, so that a GPU is not waited for.

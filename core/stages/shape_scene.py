@@ -33,7 +33,7 @@ def use_lattice(net: SdfNet, grid: TetGrid) -> None:
 class ShapeScene(Scene):
     """The surface of one step.
 
-    The views' gradient gathers in the vertices (and the lattice's SDF), which stand apart from Ψ;
+    The views' gradient gathers in the vertices (and the lattice's SDF), which are detached from Ψ;
     one pass then carries it into Ψ. So memory grows with ``views_at_once`` only.
     """
 

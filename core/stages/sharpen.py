@@ -29,10 +29,10 @@ from core.stages.scene import portions
 
 SEED = 0  # of the cameras and of their order
 RATE_END = 0.2  # fraction of the rate at a round's last step
-FINDER = 64  # side of the pictures that tell where the mesh is
+FINDER = 64  # side of the pictures that show where the mesh is
 SEEN_SIZE = 192  # side of the picture that finds each face's pixels
 MEDIAN_ROUNDS = 3  # of reweighting: from the mean towards the median of a face's normals
-MEDIAN_FLOOR = 0.1  # difference of unit normals below which all count alike
+MEDIAN_FLOOR = 0.1  # difference of unit normals below which all count equally
 COVERED = 0.9  # coverage from which a pixel's normal is a surface's
 ENOUGH = 4.0  # weight, in pixels seen frontally, from which a face's normal is trusted
 

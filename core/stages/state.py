@@ -94,7 +94,7 @@ class Training(Generic[Net]):
             self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
             self.step, self.extra = int(meta["step"]), dict(meta["extra"])
 
-    def share(self, ranks: Ranks) -> None:
+    def synchronize(self, ranks: Ranks) -> None:
         """Take over the first process's state, whatever the others have computed of their own.
 
         Their fits, or the order of a GPU's sums in them, may differ in the last bits.
@@ -108,7 +108,7 @@ class Training(Generic[Net]):
         self.healthy = {k[start:]: v for k, v in tensors.items() if k.startswith(HEALTHY)}
         self.set_state({k: v for k, v in tensors.items() if not k.startswith(HEALTHY)})
 
-    def share_noise(self, ranks: Ranks) -> None:
+    def synchronize_noise(self, ranks: Ranks) -> None:
         """Take over the state of the first process's random generator."""
         if ranks.world > 1:
             state = ranks.from_first({"generator": self.generator.get_state()})

@@ -56,7 +56,7 @@ class Setup(Generic[Net, Settings]):
 
 
 class Phase(ABC):
-    """Steps of a training that are alike."""
+    """Steps of a training with the same settings."""
 
     name: str  # of its settings: "coarse" is geometry.coarse
     steps: int
@@ -87,7 +87,7 @@ def train(
         stop: the step to stop before, for now; None takes them all.
     """
     training, ranks = setup.training, setup.ranks
-    training.share(ranks)
+    training.synchronize(ranks)
     guard = Guard(training, progress)
     checkpoint, preview = Every(CHECKPOINT_SECONDS), Every(PREVIEW_SECONDS, at_once=True)
     # Only their number: a phase's rates and noise follow its whole length, so that a later session
@@ -136,7 +136,7 @@ def _gradient_that_fits(
         try:
             return gradient_of(setup, phase, step, progress.cancelled)
         except (torch.OutOfMemoryError, MemoryShortError):
-            # Of several processes the others wait for what this one has begun.
+            # Other processes wait for the step that this one has started.
             if half == 0 or setup.ranks.world > 1:
                 raise
         # Here, and not above: the error holds the step's tensors.
@@ -170,12 +170,12 @@ def gradient_of(
     # Both in one question: a GPU is waited for at each.
     numbers = (loss, loss.new_ones(()) if coverage is None else coverage.to(loss))
 
-    # TOGETHER: one message says how it went everywhere
+    # TOGETHER: one message carries the state of all processes
     rows = ranks.rows([*torch.stack(numbers).tolist(), float(bool(failure)), float(stop)])
     total, stop = float(rows[:, 0].sum()), bool(rows[:, 3].any())
     if bool(rows[:, 2].any()):
         failure = next(filter(None, ranks.texts(failure)))
-        training.share_noise(ranks)  # who failed has drawn less than the others
+        training.synchronize_noise(ranks)  # the failed one has drawn less than the others
         return scene, failure, stop
     if coverage is not None:
         step.coverage = float(rows[:, 1].max())

@@ -1,4 +1,4 @@
-"""How long a run takes on a CPU, told before it starts: a full-size checkpoint takes days there."""
+"""How long a run takes on a CPU, reported before it starts: a full-size checkpoint takes days."""
 
 import time
 from typing import Final, NamedTuple

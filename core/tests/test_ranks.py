@@ -75,7 +75,7 @@ def test_sums_rows_texts_and_tensors_come_to_all():
         return {
             "rows": ranks.rows([ranks.rank, 7.0]).tolist(),
             "texts": ranks.texts("é" * ranks.rank),
-            "whole": ranks.whole(torch.arange(5.0)[ranks.share], 5).tolist(),
+            "whole": ranks.whole(torch.arange(5.0)[ranks.own], 5).tolist(),
             "first": ranks.from_first({"x": torch.full((2,), float(ranks.rank))})["x"].tolist(),
             "grad": net.weight.grad.tolist(),
             "bias": net.bias.grad,
@@ -92,7 +92,7 @@ def test_sums_rows_texts_and_tensors_come_to_all():
 
 
 def test_alone_nothing_is_sent():
-    assert ALONE.share == slice(0, None, 1)
+    assert ALONE.own == slice(0, None, 1)
     x = torch.ones(3)
     assert ALONE.sum(x) is x
     assert ALONE.texts("a") == ["a"]
@@ -231,7 +231,7 @@ def test_only_what_torchrun_sets_makes_a_process_one_of_several(monkeypatch):
 
 def test_what_ended_the_other_process_is_said_here():
     store = torch.distributed.HashStore()
-    Ranks(1, 2, None, store).say("There is not enough memory for the U-Net.")
+    Ranks(1, 2, None, store).report("There is not enough memory for the U-Net.")
 
     class Closed:
         def allreduce(self, tensors):
@@ -304,7 +304,7 @@ def test_a_process_that_dies_ends_the_run_and_one_alone_resumes_it(tmp_path, mon
             others[0].wait()
 
     monkeypatch.setattr(progress, "PROGRESS_SECONDS", 0.0)
-    monkeypatch.setattr(progress, "PROGRESS_SHARE", 0.0)
+    monkeypatch.setattr(progress, "PROGRESS_FRACTION", 0.0)
     run.report = kill
     with pytest.raises(RankLostError, match="Another process of this run has ended") as caught:
         run_job(run, prepare(job), gpus=2)

@@ -18,7 +18,7 @@ from core.guidance.stable_diffusion.source import Checkpoint
 from core.render.antialias import edge_table
 from core.render.normals import render_normals
 from core.stages import room
-from core.stages.room import LIT, NORMALS, covered_share, render_bytes, views_that_fit
+from core.stages.room import LIT, NORMALS, covered_fraction, render_bytes, views_that_fit
 from core.tests.meshes import sphere
 from core.tests.test_stable_diffusion import CONFIGURATIONS
 
@@ -39,8 +39,8 @@ def looking(views):
 def test_the_sphere_around_the_object_covers_what_it_is_said_to(plain):
     verts, faces = sphere(5, room.HOLDS)
     _, o = render_normals(verts, faces, looking(2), 128)
-    assert float(o.mean()) == pytest.approx(covered_share(CAMERAS), rel=0.02)
-    assert covered_share(CameraConfig(distance=(1.5, 3.0), fovy_deg=(20, 40))) == 1
+    assert float(o.mean()) == pytest.approx(covered_fraction(CAMERAS), rel=0.02)
+    assert covered_fraction(CameraConfig(distance=(1.5, 3.0), fovy_deg=(20, 40))) == 1
 
 
 @pytest.mark.parametrize(("views", "size"), [(2, 512), (6, 512)])

@@ -15,7 +15,7 @@ from core.command_line import main
 from core.io.job import Job
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
-from core.terminal import exit_code, put, sentence_of, tell
+from core.terminal import exit_code, put, sentence_of, show
 from core.tests.bad_files import meshes
 
 ROOT = Path(__file__).parents[2]
@@ -254,6 +254,6 @@ def test_a_job_whose_reader_has_gone_works_on(tmp_path, monkeypatch):
     with progress.timed("fit"):
         assert [step.at for step in progress.steps("fit", 0, [20])] == list(range(20))
     progress.warn("It was cold.", "Wait for June.")
-    tell("nothing")
+    show("nothing")
     with pytest.raises(BrokenPipeError):
         put("the answer")

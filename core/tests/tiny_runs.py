@@ -130,7 +130,7 @@ def lighten() -> None:
     """Do what has no part in a fault once, and let every event and checkpoint be written."""
     for patch in (*_made_once(), *coarsely_drawn()):
         patch.start()
-    progress.PROGRESS_SECONDS = progress.PROGRESS_SHARE = 0.0
+    progress.PROGRESS_SECONDS = progress.PROGRESS_FRACTION = 0.0
     training.CHECKPOINT_SECONDS = 0.0
     training.PREVIEW_SECONDS = 1e9  # the first alone: their number would be by the machine's load
     method.PREVIEW_SIZE = 64

@@ -51,10 +51,10 @@ def bake(
 ) -> Maps:
     """Evaluate ``material`` on the surface; every texel of the maps has a value.
 
-    A texel is the mean over those of its ``samples`` points that lie on an island, the normal at
+    A texel is the mean over those of its ``samples`` points that are on an island, the normal at
     unit length again; ``finish`` then makes the last change to it. Where no border between two
-    ``areas`` is near one point says as much. Occlusion is 1: the light's shadows are the
-    renderer's. The maps lie in main memory. ``progress`` gets the fraction done, in [0, 1]; what it
+    ``areas`` is near, one point is enough. Occlusion is 1: the light's shadows are the
+    renderer's. The maps are in main memory. ``progress`` gets the fraction done, in [0, 1]; what it
     raises stops it.
 
     Raises UserError where the uv map covers no texel.
@@ -118,10 +118,10 @@ def _means(
     place, middle = place / count[:, None], middle / count[:, None]
 
     mean, area = torch.zeros(len(where), 8, device=device), None
-    once = torch.zeros_like(count, dtype=torch.bool)  # what one point says all of
+    once = torch.zeros_like(count, dtype=torch.bool)  # texels for which one point is enough
     if areas:
-        told = [areas.certain(part, reach) for part in middle.split(CHUNK)]
-        area, once = (torch.cat(x) for x in zip(*told, strict=True))
+        found = [areas.certain(part, reach) for part in middle.split(CHUNK)]
+        area, once = (torch.cat(x) for x in zip(*found, strict=True))
         for here in once.nonzero().squeeze(1).split(CHUNK):
             mean[here] = torch.cat(material(middle[here], area[here]), -1).to(mean)
     for here in (~once[slot]).nonzero().squeeze(1).split(CHUNK):

@@ -1,4 +1,4 @@
-"""Borders between charts drawn anew: short, and along the edges of the shape where there are some.
+"""Borders between charts drawn again: short, and along the edges of the shape where there are some.
 
 Between each two charts the least cut through a strip about their border (Katz and Tal,
 "Hierarchical Mesh Decomposition Using Fuzzy Clustering and Cuts", 2003, §3.4): of the ways from one

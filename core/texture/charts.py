@@ -1,4 +1,4 @@
-"""The surface cut into charts: connected pieces that each look one way, as few as may be.
+"""The surface cut into charts: connected regions that each look one way, as few as possible.
 
 Regions grow from seeds, the seeds move to their regions' middles, and so on ("Variational Shape
 Approximation", Cohen-Steiner et al. 2004), with ways along the surface for the distance, so that
@@ -19,7 +19,7 @@ from core.kernels.charts import grow
 from core.texture.borders import shortest
 
 SMOOTHING = 12  # rounds, each over the faces next to a face
-ALIKE = 0.6  # length between two normals, 35 degrees: of an edge, not of a ripple
+SIMILAR = 0.6  # length between two normals, 35 degrees: of an edge, not of a ripple
 ACROSS = 0.03  # weight of what looks anywhere else: noise has no edges
 WIDEST = 0.34  # least cosine between a face and its chart: 70 degrees
 ONE_WAY = 0.5  # least length of the mean of a chart's normals, for it to be the chart's axis
@@ -37,7 +37,7 @@ def charts(verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]) -> In
     area = np.maximum(area, 1e-6 * area.mean() + 1e-30)
     normal = smooth(normal, area, adjacent)
     chart = grown(adjacent, verts[faces].mean(1), normal, area)
-    # Straightening may part a chart: each piece becomes one of its own.
+    # Straightening may part a chart: each component becomes a chart.
     chart = components(straightened(chart, adjacent, normal), adjacent)
     chart = merged(chart, adjacent, normal, area)
     axis = unit(sums(chart, normal, area))
@@ -61,7 +61,7 @@ def smooth(
     for _ in range(SMOOTHING):
         # Each face is among its own neighbours: one without any keeps its normal.
         apart = np.square(normal[rows] - normal[columns]).sum(1)
-        weight = area[columns] * np.maximum(np.exp(-apart / ALIKE**2), ACROSS)
+        weight = area[columns] * np.maximum(np.exp(-apart / SIMILAR**2), ACROSS)
         normal = unit(csr_array((weight, (rows, columns)), shape=(count, count)) @ normal)
     return normal
 
@@ -130,8 +130,8 @@ def straightened(
         a, b, c = around.T
         two = np.where(a == b, a, np.where(b == c, b, np.where(a == c, c, chart)))
         near = adjacent[np.arange(len(chart)), (around == two[:, None]).argmax(1)]
-        alike = (normal * normal[near]).sum(1) > WIDEST
-        chart = np.where((two >= 0) & alike, two, chart)
+        similar = (normal * normal[near]).sum(1) > WIDEST
+        chart = np.where((two >= 0) & similar, two, chart)
     return chart
 
 
@@ -165,7 +165,7 @@ def merged(
             del border[c][b]
             if c != a:
                 border[a][c] = border[c][a] = border[a].get(c, 0) + n
-        # Entered anew at their new lengths; the old entries are passed over above.
+        # Entered again at their new lengths; the old entries are skipped above.
         for c, n in border[a].items():
             heapq.heappush(heap, (-n, min(a, c), max(a, c)))
     for label, found in enumerate(faces_of.values()):

@@ -1,8 +1,8 @@
 """The learnt material, even where one colour is meant.
 
-Reflectance is mostly constant in pieces (Land and McCann 1971, "Lightness and Retinex Theory").
-What is learnt from small pictures varies within each piece all the same, in blotches that an artist
-sees as dirt. Where the pieces are known they are drawn towards their median.
+Reflectance is mostly piecewise constant (Land and McCann 1971, "Lightness and Retinex Theory").
+A material learnt from small pictures still varies within each area, in blotches that an artist
+sees as dirt. Where the areas are known, values are moved towards their median.
 """
 
 from collections.abc import Callable
@@ -29,15 +29,15 @@ def evened(learnt: MaterialIn, areas: Areas, mesh: UvMesh, evenness: float) -> M
     area = areas.of(points)
     values = _values(learnt(areas.inside(points, area), area))
     median = torch.zeros(len(areas.each), values.shape[1])
-    share = torch.zeros(len(areas.each), 1)
+    fraction = torch.zeros(len(areas.each), 1)
     for index, meant in enumerate(areas.each):
         mine = values[area == index]
         if meant.plain and len(mine):
-            median[index], share[index] = mine.median(0).values, evenness
+            median[index], fraction[index] = mine.median(0).values, evenness
 
     def at(points: Float[Tensor, "n 3"], area: Int[Tensor, " n"]) -> Material:
         material = learnt(areas.inside(points, area), area)
-        values = torch.lerp(_values(material), median[area], share[area])
+        values = torch.lerp(_values(material), median[area], fraction[area])
         return Material(values[:, :3], values[:, 3:4], values[:, 4:5], material.kn)
 
     return at

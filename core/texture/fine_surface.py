@@ -21,7 +21,7 @@ class FineSurface:
     """Normals of a fine mesh, found from points of a coarse one."""
 
     def __init__(self, mesh: Mesh, edge_radius: float = 0.0) -> None:
-        """``edge_radius``: of the edges that stand out, of the longest side; 0: sharp."""
+        """``edge_radius``: of the convex edges, as a fraction of the longest side; 0: sharp."""
         mesh = Mesh(*oriented(mesh.verts, mesh.faces))  # as the coarse one was
         self._verts = np.ascontiguousarray(mesh.verts.cpu().double().numpy())
         self._faces = np.ascontiguousarray(mesh.faces.cpu().numpy().astype(np.int64))

@@ -20,15 +20,15 @@ from core.texture.fine_surface import FineSurface, turned
 from core.texture.texels import footprint
 
 CHUNK = 1 << 17  # texels at once
-STEP = 0.5  # texels, over which the slope of what stands out is measured
+STEP = 0.5  # texels, over which the slope of raised areas is measured
 SURVEYED = 1 << 14  # points of the surface, for the parts' colours and their means
 LEAST_Z = 0.05  # of a normal in tangent space: none points into the surface
 
 
 class Finish:
-    """What a texel's material becomes, from the surface's attributes there.
+    """The last change of a texel's material, from the surface's attributes there.
 
-    Some of the ``areas`` may stand out of the surface.
+    Some of the ``areas`` may be raised above the surface.
     """
 
     def __init__(
@@ -54,8 +54,8 @@ class Finish:
         area: Int[Tensor, " t"] | None = None,
     ) -> Float[Tensor, "t w"]:
         """``values``: kd, roughness, metallic and kn, the means of each texel; then emission and
-        transmission too, where some of the detail ``lights``. ``area``: that the detail is told
-        apart by."""
+        transmission too, where some of the detail ``lights``. ``area``: the areas that
+        the detail distinguishes."""
         texels = attributes.split(CHUNK)
         known = [None] * len(texels) if area is None else area.split(CHUNK)
         parts = zip(texels, values.split(CHUNK), known, strict=True)
@@ -79,8 +79,8 @@ class Finish:
             coat, slope = self.detail(Spots(point * self.scale, shape, length, edge, area), coat)
             if self.areas and area is not None:
                 step = STEP * self.detail.noise.footprint / self.scale
-                lies = self.areas.slope(point, shape, area, step)
-                slope = slope + self.detail.strength * lies
+                rise = self.areas.slope(point, shape, area, step)
+                slope = slope + self.detail.strength * rise
             # The relief's gradient across the normal that is there already.
             bumpy = normalize(bumpy - (slope - dot(slope, bumpy) * bumpy))
         learnt, light = coat[:3], coat[3:] if self.lights else ()

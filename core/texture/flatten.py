@@ -14,7 +14,7 @@ from core.geometry.mesh import mean_around, taubin
 
 ITERATIONS = 10
 COTANGENTS = (0.05, 20.0)  # kept within: a sliver would pull with all its weight, or push
-HOLD = 1e-6  # of the mean weight, to the place at the start: a chart alone may lie anywhere
+HOLD = 1e-6  # of the mean weight, to the place at the start: a chart alone may be anywhere
 UNFOLDING = 40  # rounds
 SMOOTHING = 10  # rounds, of the surface that gives the charts their first layout
 
@@ -22,7 +22,7 @@ SMOOTHING = 10  # rounds, of the surface that gives the charts their first layou
 def flatten(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], chart: Int[np.ndarray, " f"]
 ) -> tuple[Float[np.ndarray, "u 2"], Int[np.ndarray, "f 3"]]:
-    """uv in the surface's own unit, and a uv index by corner; the charts lie over one another.
+    """uv in the surface's own unit, and a uv index by corner; the charts overlap.
 
     A vertex has one uv for each chart that meets there.
     """
@@ -113,7 +113,7 @@ def turned(
     side: Float[np.ndarray, "f 3 2"],
     weight: Float[np.ndarray, "f 3"],
 ) -> Float[np.ndarray, "f 3 2"]:
-    """The sides at rest, each triangle turned to lie as near to its uv as it can (Liu, §3.2)."""
+    """The sides at rest, each triangle turned to be as near to its uv as it can (Liu, §3.2)."""
     now = uv[np.roll(face_uvs, -1, 1)] - uv[np.roll(face_uvs, 1, 1)]
     x, y = side[..., 0], side[..., 1]
     cosine = (weight * (now * side).sum(-1)).sum(1)
@@ -126,7 +126,7 @@ def turned(
 def unfolded(
     uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"]
 ) -> Float[np.ndarray, "u 2"]:
-    """What lies face down is drawn smooth by its neighbours until it does not."""
+    """``uv`` with face-down triangles smoothed by their neighbours until there are none."""
     mean = mean_around(face_uvs, len(uv))
     for _ in range(UNFOLDING):
         wrong = np.unique(face_uvs[face_down(uv, face_uvs)])

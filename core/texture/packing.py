@@ -66,8 +66,8 @@ def pack(
     gap: float,
     progress: Callable[[float], None] = lambda _: None,
 ) -> Float[np.ndarray, "u 2"] | None:
-    """``uv``, each chart moved and turned, all scaled alike but for xatlas's rounding to cells;
-    ``gap`` lies round every chart.
+    """``uv``, each chart moved and turned, all scaled equally except for xatlas's rounding to
+    cells; ``gap`` is round every chart.
 
     ``gap`` is in parts of the square's side. None where so many charts and gaps find no room.
     """
@@ -173,7 +173,7 @@ def laid_out(
     atlas.generate(xatlas.ChartOptions(), options)
     if not atlas.width:  # nothing has an area
         return np.zeros_like(uv), 1
-    # xatlas has vertices of its own; ``source`` tells which of ours each is.
+    # xatlas has vertices of its own; ``source`` gives ours for each.
     source, _, at = atlas.get_mesh(0)
     out = np.zeros_like(uv)
     out[source] = at * np.array([atlas.width, atlas.height])

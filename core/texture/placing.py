@@ -1,6 +1,6 @@
 """A closer packing than xatlas's: each chart takes the best of its quarter turns.
 
-Charts as masks of cells, the largest first, each where its middle lies lowest. xatlas turns
+Charts as masks of cells, the largest first, each where its middle is lowest. xatlas turns
 a chart by transposing it, which mirrors it, so it gets turns by chance (:mod:`.packing`).
 """
 
@@ -59,7 +59,7 @@ def placed(
 ) -> list[Float[np.ndarray, "_ 2"]] | None:
     """Where each chart's uv are in a square of ``room`` cells a side, in cells.
 
-    The padding may lie outside of the square. None: they do not fit. ``random`` varies the order.
+    The padding may be outside of the square. None: they do not fit. ``random`` varies the order.
     """
     factor = random.uniform(0.8, 1.25, len(cells.area))
     order = np.argsort(-cells.area * factor, kind="stable")

@@ -78,7 +78,7 @@ def region_weight(
 ) -> Float[Tensor, "s s"]:
     """1 on the texels of ``faces``, falling to 0 at their border and 0 on all others'.
 
-    A texel that any other face shares is 0, and so is the padding that belongs to others.
+    A texel that any other face also covers is 0, and so is the padding that belongs to others.
     """
     weight = torch.zeros(size * size)
     covered = torch.zeros(size * size, dtype=torch.bool)

@@ -2,8 +2,8 @@
 its edges a thing is seen to be made of something.
 
 On a fillet the normal turns from one side's to the other's. Here it does so evenly over the radius
-on each side of an edge that stands out, so that both sides have one normal on the edge itself, and
-three in a corner. Where a shape goes in, nothing is rounded: there one piece stands on another.
+on each side of a convex edge, so that both sides have one normal on the edge itself, and
+three in a corner. Concave edges are not rounded: there one component rests on another.
 """
 
 from typing import NamedTuple
@@ -38,8 +38,8 @@ class Edges(NamedTuple):
 def convex_edges(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], shortest: float = 0.0
 ) -> Edges:
-    """Where two faces meet at more than SHARP_DEG and the shape stands out, in lines that are as
-    long as ``shortest``: what is shorter is a crumb."""
+    """Convex edges where two faces meet at more than SHARP_DEG, in lines that are at least as
+    long as ``shortest``."""
     from trimesh.graph import face_adjacency
 
     pairs, ends = face_adjacency(faces, return_edges=True)

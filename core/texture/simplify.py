@@ -37,7 +37,7 @@ def simplify(
     """The same surface with ``max_faces`` faces or fewer; within the budget it is left untouched.
 
     More faces than asked for come back only where no edge is left that may collapse: a closed
-    piece keeps at least 4 faces. Neighbours that look to opposite sides are turned first
+    component keeps at least 4 faces. Neighbours that look to opposite sides are turned first
     (:func:`oriented`). ``check`` is called now and then; what it raises stops the work.
 
     Raises UserError for a mesh where three faces share an edge: it has no collapse that is safe.

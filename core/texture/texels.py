@@ -1,4 +1,4 @@
-"""Which point of the surface lies under each texel.
+"""The point of the surface under each texel.
 
 The mesh is drawn into its own texture: uv is the screen. A texel is looked at in a regular grid of
 points, so that one on an island's border takes the mean of the part that the island covers, and

@@ -1,7 +1,7 @@
-"""Faces that look against the surface that they are of, taken out: each is a dark speck.
+"""Removes faces that are turned against their surface: each is a dark speck.
 
-A face that lies folded back on its neighbours turns the normals of all around it. Edges beside it
-are made a point or turned, whichever leaves the faces around most alike the surface (the local
+A face that is folded back on its neighbours turns the normals of all around it. Edges next to it
+are collapsed or turned, whichever leaves the faces around most similar to the surface (the local
 search of Hoppe et al., "Mesh Optimization", 1993, §4, over the same two operations).
 """
 
@@ -36,7 +36,7 @@ def unfolded(
         if not len(folded):
             break
         patches = _Patches(verts, faces, off)
-        changed = [patches.mend(int(face)) for face in folded]
+        changed = [patches.repair(int(face)) for face in folded]
         faces = patches.rest()
         if not any(changed):
             break
@@ -61,7 +61,7 @@ class _Patches:
         """The faces that there are."""
         return np.array(list(self._faces.values()), np.int64).reshape(-1, 3)
 
-    def mend(self, face: int) -> bool:
+    def repair(self, face: int) -> bool:
         """Replace what is around a fold, if anything there is better."""
         if face not in self._faces:
             return False

@@ -22,8 +22,8 @@ from core.texture.packing import FEW, charts_of, pack, triangle_areas
 
 MAX_FACES = 500_000
 PADDING = 4  # texels round each island, so twice this between: bilinear lookup and two mipmaps
-REPAIR_ROUNDS = 4  # of cutting out what would not lie flat
-FOLD_ROUNDS = 8  # more, at most, of cutting those of few charts that still lie over themselves
+REPAIR_ROUNDS = 4  # of cutting out what cannot be flattened
+FOLD_ROUNDS = 8  # more, at most, of cutting charts, if few, that still overlap themselves
 SQUASHED = 4.0  # times smaller than on the surface: such a face gets an island of its own
 OVERLAP_CELLS = 512  # along a square as large as the surface, in which overlaps are looked for
 OVERLAP = 0.004  # of a chart, covered twice: more, and it is cut in two
@@ -138,7 +138,7 @@ def flat_charts(
     chart: Int[np.ndarray, " f"],
     progress: Callable[[float], None],
 ) -> FlatCharts:
-    """uv, uv indices and charts; charts that would not lie flat are cut until they do."""
+    """uv, uv indices and charts; charts that cannot be flattened are cut until they can."""
     adjacent, centre = neighbours(faces), verts[faces].mean(1)
     area = triangle_areas(at_rest(verts[faces]))
     rounds = REPAIR_ROUNDS + FOLD_ROUNDS
@@ -165,7 +165,7 @@ def flat_charts(
 def squashed(
     corners: Float[np.ndarray, "f 3 2"], area: Float[np.ndarray, " f"]
 ) -> Bool[np.ndarray, " f"]:
-    """Faces that lie face down, or that lost most of their size."""
+    """Faces that are face down, or that lost most of their size."""
     p, q = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     signed = (p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]) / 2
     return (signed * SQUASHED < area) & (area > 1e-4 * area.mean())
@@ -174,7 +174,7 @@ def squashed(
 def overlapping(
     uv: Float[np.ndarray, "u 2"], face_uvs: Int[np.ndarray, "f 3"], chart: Int[np.ndarray, " f"]
 ) -> Bool[np.ndarray, " c"]:
-    """Charts that lie over themselves."""
+    """Charts that overlap themselves."""
     found = charts_of(uv, face_uvs, chart)
     total = sum(float(triangle_areas(one.at[one.corners]).sum()) for one in found)
     largest = max(float(one.at.max()) for one in found)

@@ -49,15 +49,15 @@ def felt(place: Place) -> Layer:
 
 
 def velvet(place: Place) -> Layer:
-    """A pile that lies this way or that, and shines where it lies."""
+    """A pile brushed in different directions, with a shine where it is flat."""
     noise, p = place.noise, place.point
-    lie = noise.waves(p + 0.05 * noise.waves(p, 4.0, 1)[:, None], 6.0, 2, 3)
+    pile_way = noise.waves(p + 0.05 * noise.waves(p, 4.0, 1)[:, None], 6.0, 2, 3)
     pile = noise.waves(p, 90.0, 3, 1)
     return Layer.of(
-        0.45 * lie + 0.3 * pile,
+        0.45 * pile_way + 0.3 * pile,
         (0.55, 0.55, 0.55),
-        roughness=0.2 * lie,
-        height=0.0006 * pile + 0.0008 * lie,
+        roughness=0.2 * pile_way,
+        height=0.0006 * pile + 0.0008 * pile_way,
     )
 
 

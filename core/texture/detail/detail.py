@@ -16,8 +16,8 @@ from core.texture.detail.parts import Parts
 from core.texture.detail.place import Layer, Place
 from core.texture.detail.weather import WEATHERS, laid
 
-LEAST_REACH = 1e-3  # upwards, of what lies
-LEAST = 0.02  # weight of a surface at a point, below which it is not looked at
+LEAST_REACH = 1e-3  # upwards, of weather that lies on the surface
+LEAST = 0.02  # weight of a surface at a point, below which it is ignored
 STEEPEST = 1.2  # slope of the relief: steeper ones would hide themselves
 STEP = 0.5  # texels, over which a slope is measured
 KD_RANGE = (0.002, 0.98)
@@ -99,7 +99,7 @@ class Detail:
             color = gain * _colored(coat.kd[here], layer, surface, self.strength)
             more = self.strength * _column(layer.roughness) + surface.roughness
             metal = self.strength * _column(layer.metallic) + surface.metallic
-            # What is told by its colour alone has a little of all; that does not glow.
+            # A point known by its colour alone has a little of all; that does not glow.
             shown = (2 * w - 1).clamp(min=0) * (1 - self.strength * _column(layer.cover)).clamp(0)
             emission = emission.index_add(0, here, surface.glow * shown * color**DEEP)
             if surface.clear:

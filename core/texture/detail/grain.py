@@ -55,7 +55,7 @@ def _spread_around(
 
 
 def convexity(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[Tensor, "v 1"]:
-    """How far each vertex stands out of the middle of its neighbours, along its normal, in lengths
+    """How far each vertex is out of the middle of its neighbours, along its normal, in lengths
     of the edges there: above 0 on an edge, below 0 in a corner, 0 where it is flat."""
     v, f = verts.cpu().double().numpy(), faces.cpu().numpy()
     out = v - mean_around(f, len(v)) @ v
@@ -63,17 +63,17 @@ def convexity(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Float[T
     ends = v[f[:, [1, 2, 0]]] - v[f]
     length = np.bincount(f.ravel(), np.linalg.norm(ends, axis=2).ravel(), len(v))
     length = length / np.maximum(np.bincount(f.ravel(), minlength=len(v)), 1)
-    stands = (out * normals).sum(1) / np.maximum(length, 1e-30)
-    # Where triangles are large it is no edge's: between their corners it would cover them.
-    stands *= np.minimum(1, FINE * float(np.ptp(v[np.unique(f)], axis=0).max()) / length)
-    return torch.from_numpy(stands[:, None]).to(verts)
+    height = (out * normals).sum(1) / np.maximum(length, 1e-30)
+    # Large triangles are no edges: the value would cover them between their corners.
+    height *= np.minimum(1, FINE * float(np.ptp(v[np.unique(f)], axis=0).max()) / length)
+    return torch.from_numpy(height[:, None]).to(verts)
 
 
 def _mean_along(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> csr_array:
     """The mean over a vertex and its neighbours, those most that face the same way."""
     around = mean_around(faces.cpu().numpy(), len(verts)).tocoo()
     n = smooth_normals(verts, faces).cpu().double().numpy()
-    alike = np.clip((n[around.row] * n[around.col]).sum(1), 0, 1) ** FACING
-    weights = csr_array((around.data * alike, (around.row, around.col)), around.shape)
+    similar = np.clip((n[around.row] * n[around.col]).sum(1), 0, 1) ** FACING
+    weights = csr_array((around.data * similar, (around.row, around.col)), around.shape)
     weights = weights + diags_array(np.full(len(verts), 0.1))
     return csr_array(weights / weights.sum(1)[:, None])

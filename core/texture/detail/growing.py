@@ -139,7 +139,7 @@ def paper(place: Place) -> Layer:
 
 
 def soil(place: Place) -> Layer:
-    """Clods and grains, moss and grass alike."""
+    """Clods and grains, for moss and grass."""
     p, noise = place.point, place.noise
     near, _, one = noise.cells(p + 0.02 * noise.waves(p, 20.0, 1, 2)[:, None], 30.0, 2)
     grain = noise.waves(p, 70.0, 3, 3)

@@ -10,7 +10,7 @@ FEATHER, SCALE = 0.05, 0.028  # from one to the next, in units
 
 def fur(place: Place) -> Layer:
     """Hairs that lie along the body, in tufts."""
-    p, noise = lying(place, 0.05), place.noise
+    p, noise = hair_axes(place, 0.05), place.noise
     tuft = noise.waves(p, (7.0, 26.0, 26.0), 4, 2)
     hair = noise.waves(p, (14.0, 90.0, 90.0), 5, 2)
     return Layer.of(
@@ -51,7 +51,7 @@ def feathers(place: Place) -> Layer:
 
 
 def _feather(place: Place) -> tuple[Values, Values]:
-    """How far above its feather's tip each point is, in rows, and how far beside its quill; from
+    """How far above its feather's tip each point is, in rows, and how far from its quill; from
     three sides, each where the surface faces it."""
     noise = place.noise
     bend = np.stack([noise.waves(place.point, 9.0, salt, 2) for salt in (1, 2, 3)], 1)
@@ -64,7 +64,7 @@ def _feather(place: Place) -> tuple[Values, Values]:
 
 def _row(u: Values, v: Values) -> tuple[Values, Values]:
     """The same of rows one high, of feathers one wide with round tips; every other row is half a
-    feather aside."""
+    feather to the side."""
     row = np.floor(v)
     own, below = (_aside(u, row - back) for back in (0, 1))
     over, under = v - row - 2.2 * own**2, v - row + 1 - 2.2 * below**2
@@ -160,7 +160,7 @@ def eye(place: Place) -> Layer:
     return Layer.of(0.04 * wave, (0.8, 0.8, 0.8), roughness=0.02 * wave, height=0.0012 * wave)
 
 
-def lying(place: Place, bend: float) -> Points:
-    """The part's own axes, its length first, bent by slow noise: the way that hairs lie."""
+def hair_axes(place: Place, bend: float) -> Points:
+    """The part's own axes, its length first, bent by slow noise: the direction of hairs."""
     noise, p = place.noise, place.grained
     return p + bend * np.stack([noise.waves(p, 4.0, salt, 2) for salt in (1, 2, 3)], 1)

@@ -10,7 +10,7 @@ from torch import Tensor
 from core.guidance.guidance import Surface
 from core.ops import lab, srgb_to_linear
 
-# CIELAB. Parts nearer to each other in colour cannot be told apart: both get the first's detail.
+# CIELAB. Parts nearer to each other in colour cannot be distinguished: both get the first's detail.
 APART = 12.0
 SPREAD = 6.0  # how fast a part's weight falls with the distance of the colour beyond the nearest's
 ROUNDS = 3  # of moving each colour to the mean of the points that are nearest to it

@@ -40,9 +40,9 @@ def dirty(place: Place) -> Layer:
 def dusty(place: Place) -> Layer:
     """A grey film on all that looks up."""
     noise, p = place.noise, place.point
-    lies = smoothstep(0.1, 0.9, place.normal[:, 2] + 0.35 * noise.waves(p, 9.0, 98, 4))
-    cover = np.clip(0.62 * lies + 0.12 + 0.08 * noise.waves(p, 60.0, 99, 2), 0, 0.8)
-    return covering(cover, (0.40, 0.36, 0.30), roughness=0.4, height=0.0004 * lies)
+    upward = smoothstep(0.1, 0.9, place.normal[:, 2] + 0.35 * noise.waves(p, 9.0, 98, 4))
+    cover = np.clip(0.62 * upward + 0.12 + 0.08 * noise.waves(p, 60.0, 99, 2), 0, 0.8)
+    return covering(cover, (0.40, 0.36, 0.30), roughness=0.4, height=0.0004 * upward)
 
 
 def mossy(place: Place) -> Layer:
@@ -58,9 +58,11 @@ def mossy(place: Place) -> Layer:
 def snowy(place: Place) -> Layer:
     """Snow on what looks up."""
     noise, p = place.noise, place.point
-    lies = smoothstep(0.35, 0.6, place.normal[:, 2] + 0.3 * noise.waves(p, 6.0, 103, 3))
+    upward = smoothstep(0.35, 0.6, place.normal[:, 2] + 0.3 * noise.waves(p, 6.0, 103, 3))
     grain = noise.waves(p, 70.0, 104, 2)
-    return covering(lies, (0.86, 0.89, 0.93), roughness=0.3, height=lies * (0.010 + 0.001 * grain))
+    return covering(
+        upward, (0.86, 0.89, 0.93), roughness=0.3, height=upward * (0.010 + 0.001 * grain)
+    )
 
 
 def covering(
