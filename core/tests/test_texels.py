@@ -30,11 +30,11 @@ def test_bary_are_weights() -> None:
 
 @pytest.mark.parametrize("samples", [1, 4, 9])
 def test_coverage_is_area(samples: int) -> None:
-    """The share of points that hit is the uv area, up to the border's perimeter."""
+    """The fraction of points that hit is the uv area, up to the border's perimeter."""
     uv, face_uvs = torus_uv(margin=0.13)
     texels = texel_points(uv, face_uvs, SIZE, samples)
-    share = len(texels.index) / (SIZE**2 * samples)
-    assert share == pytest.approx(0.74**2, abs=4 * 0.74 / SIZE)
+    fraction = len(texels.index) / (SIZE**2 * samples)
+    assert fraction == pytest.approx(0.74**2, abs=4 * 0.74 / SIZE)
     counts = texels.index.bincount()
     assert counts.max() == samples
 
@@ -84,4 +84,4 @@ def test_faults_of_a_users_uv() -> None:
     assert "outside" in uv_faults(uv + 0.5, face_uvs)[0]
     assert "no area" in uv_faults(uv * torch.tensor([1.0, 0.0]), face_uvs)[0]
     folded = torch.stack([(uv[:, 0] - 0.5).abs(), uv[:, 1]], -1)
-    assert "over others" in uv_faults(folded, face_uvs)[0]
+    assert "overlap" in uv_faults(folded, face_uvs)[0]

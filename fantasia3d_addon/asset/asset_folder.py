@@ -23,7 +23,7 @@ MAX_PIXELS = 1 << 27  # of a map; the core's largest has half of that
 PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
 OPTIONAL = ("emission", "transmission")  # roles of what glows, and of what lets light through
-STRENGTH, IOR = 5.0, 1.45  # of these maps, where an asset does not say
+STRENGTH, IOR = 5.0, 1.45  # of these maps, where an asset gives none
 DISTRIBUTIONS = ("GGX", "MULTI_GGX")
 REMAKE = "Resume its run, or generate it again."  # the fix for anything incomplete
 

@@ -19,7 +19,7 @@ NAMES = (*TEXTS, "seed", "software", "versions", "model_hashes", "mesh_hash")
 
 
 def set_origin(owner: bpy.types.ID, info: Mapping[str, Any]) -> None:
-    """Keep what asset.json's ``info`` says of the making as custom properties of ``owner``."""
+    """Keep the origin in asset.json's ``info`` as custom properties of ``owner``."""
     for name in TEXTS:
         if isinstance(info.get(name), str) and info[name]:
             owner[PREFIX + name] = info[name]
@@ -75,7 +75,7 @@ def density_of(obj: bpy.types.Object, usual: float) -> float:
 
 
 def copy_origin(source: bpy.types.ID, to: bpy.types.ID) -> None:
-    """Give ``to`` the custom properties of ``source`` that say where it came from."""
+    """Give ``to`` the custom properties of ``source`` on its origin."""
     for key in (DENSITY, *(PREFIX + name for name in NAMES)):
         if key in source:
             to[key] = source[key]

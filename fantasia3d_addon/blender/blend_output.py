@@ -26,11 +26,11 @@ def temporary_blend(path: Path) -> Iterator[Path]:
     with temporary_output(path) as temporary:
         folder = temporary.parent
         _remove_stale(folder.parent)
-        beside, half = (folder.with_name(f"{folder.name}{end}") for end in (ENDING, HALF))
-        with removed_at_the_end(half), removed_at_the_end(beside):
-            yield beside
-            if beside.exists():
-                beside.replace(temporary)
+        new, half = (folder.with_name(f"{folder.name}{end}") for end in (ENDING, HALF))
+        with removed_at_the_end(half), removed_at_the_end(new):
+            yield new
+            if new.exists():
+                new.replace(temporary)
 
 
 def _remove_stale(parent: Path) -> None:

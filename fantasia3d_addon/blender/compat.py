@@ -51,7 +51,7 @@ def set_opengl_convention(node: bpy.types.ShaderNodeNormalMap) -> None:
 
 
 def render_path(path: Path) -> str:
-    """``path`` for a render to write to: since 4.5 what stands in braces there is a template."""
+    """``path`` for a render to write to: since 4.5 braces mark a template there."""
     text, name = str(path), bpy.types.RenderSettings.bl_rna.properties["filepath"]
     templates = getattr(name, "is_path_supports_templates", False)
     return text.replace("{", "{{").replace("}", "}}") if templates else text

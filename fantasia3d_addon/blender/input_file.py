@@ -27,7 +27,7 @@ def require_file(path: Path) -> None:
 
 
 def parse_json(text: str | bytes) -> Any:
-    """What JSON from outside says.
+    """The value of JSON from outside.
 
     Raises:
         ValueError: it is none; is nested too deeply; has a number that no float holds, or text that

@@ -135,12 +135,12 @@ def _remove_stale(parent: Path) -> None:
 
 def reason_of(error: OSError | RuntimeError) -> str:
     """The cause in a system's or an operator's error, on one line."""
-    said = getattr(error, "strerror", None) or str(error)
-    lines = [line.strip() for line in said.splitlines() if line.strip()] or ["no reason was given"]
-    # Blender's exporters in Python report a traceback; the exception is its last line but for
-    # where Blender saw it.
-    told = [line for line in lines if not line.startswith("Location:")]
-    return told[-1] if "Traceback" in said and told else lines[0]
+    text = getattr(error, "strerror", None) or str(error)
+    lines = [line.strip() for line in text.splitlines() if line.strip()] or ["no reason was given"]
+    # Blender's exporters in Python report a traceback; the exception is its last line except for
+    # the location in Blender.
+    causes = [line for line in lines if not line.startswith("Location:")]
+    return causes[-1] if "Traceback" in text and causes else lines[0]
 
 
 def _move_siblings(temporary: Path, path: Path) -> None:

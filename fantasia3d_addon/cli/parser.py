@@ -150,7 +150,7 @@ def _add_light_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--light", metavar="FILE|NAME", help="default: the asset's own")
     # No default: without it the exposure is set so that white is just not clipped.
     _add(command, options.STRENGTH, default=None)
-    # No default: without it a low sun stands to the side of the camera, and shadows are long.
+    # No default: without it a low sun is to the side of the camera, and shadows are long.
     _add(command, options.ROTATION, flag="--rotation-deg", default=None)
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 def expanded(path: str | Path, error: Callable[[str, str], Exception]) -> Path:
-    """``path`` with the home folder that its ~ stands for.
+    """``path`` with its ~ replaced by the home folder.
 
     Raises:
         error: of the caller's kind, by a text and its fix: there is no such home.
@@ -24,7 +24,7 @@ def expanded(path: str | Path, error: Callable[[str, str], Exception]) -> Path:
 def of_variable(value: str) -> str:
     """``value``, which a variable names, with its ~ expanded; as it is where there is no such home.
 
-    Who uses it says what is wrong with it.
+    Its user reports what is wrong with it.
     """
     return os.path.expanduser(value)  # noqa: PTH111 - Path's own raises for an unknown ~user
 

@@ -46,7 +46,7 @@ def given_python(given: str, groups: Sequence[str]) -> Path:
     # A newer one is the user's choice, who has the packages for it.
     oldest = min(tuple(map(int, version.split("."))) for version in machine.PYTHONS)
     if not numbers or (int(numbers[1]), int(numbers[2])) < oldest:
-        what = f"Python {version}" if numbers else "no Python"
+        what = f"Python {version}" if numbers else "not a Python"
         need = f"it must be Python {min(machine.PYTHONS)} or newer"
         raise SetupError(f"FANTASIA3D_PYTHON is {given}, which is {what}; {need}.", fix)
     if absent:

@@ -82,7 +82,7 @@ def ensure(
                 set_up = _SetUp(place._replace(folder=folder), root, progress, lock, stopped)
                 try:
                     set_up.carry_out(todo, allow_cuda)
-                except OSError as error:  # of our own small files; pip's output tells of its own
+                except OSError as error:  # of our own small files; pip's output reports its own
                     raise SetupError(
                         f"{error.filename or folder} cannot be written "
                         f"({error.strerror or error}).",
@@ -255,7 +255,7 @@ class _SetUp:
                 self._report(f"taking torch's CPU build; no CUDA build: {error}")
 
     def _resolved(self, pin: str) -> dict[str, Any]:
-        """pip's report of which build it would download for ``pin``."""
+        """pip's report of the build that it would download for ``pin``."""
         report = self.folder / "report.json"
         # Without the hashes: with them pip downloads the whole build to check it.
         self._pip("install", "--dry-run", "--no-deps", "--quiet", "--report", str(report), pin)

@@ -67,7 +67,7 @@ def locked_digest(root: Path, *names: str) -> str:
     try:
         written = (root / NAME).stat()
     except OSError:
-        return digest(locked(root, *names))  # which says so
+        return digest(locked(root, *names))  # which reports it
     return _digest_at(root, names, (written.st_mtime_ns, written.st_size))
 
 

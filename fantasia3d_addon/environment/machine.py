@@ -42,7 +42,7 @@ class SetupError(Exception):
 
 def clean_environ() -> dict[str, str]:
     """The process's variables without those that change what another Python imports; OpenMP's
-    threads sleep while they wait, unless the user says otherwise."""
+    threads sleep while they wait, unless the user sets another policy."""
     # Of two drafts at once on two threads a step took ten times as long: waiting threads had both.
     kept = {key: value for key, value in os.environ.items() if key not in CLEAN}
     return {"OMP_WAIT_POLICY": "PASSIVE"} | kept

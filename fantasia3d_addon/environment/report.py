@@ -256,7 +256,7 @@ def _without(value: Any, texts: Iterable[str]) -> Any:
 
 
 class Redaction:
-    """Replaces what tells who and where the user is."""
+    """Replaces text that identifies the user or the machine."""
 
     def __init__(self, root: Path, folder: Path) -> None:
         home = Path.home()

@@ -1,4 +1,4 @@
-"""Candidates: runs that pause at a first look, of which the user has one finished. No bpy."""
+"""Candidates: runs that pause at a first look; the user finishes one of them. No bpy."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ HANDLERS = (
 
 
 def add() -> None:
-    """Keep previews out of files and undo steps, and tell the session of opened files."""
+    """Keep previews out of files and undo steps, and inform the session of opened files."""
     for handlers, function in HANDLERS:
         handlers.append(function)
 

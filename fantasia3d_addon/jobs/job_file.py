@@ -22,7 +22,7 @@ FILES = {
     "base_color": "base_color.png",
     "region": "faces.txt",
 }
-KEPT = "kept/asset"  # the folder of the copy of the asset of which a job edits a region
+KEPT = "kept/asset"  # the folder of the copy of an asset whose region a job edits
 
 
 KINDS: Mapping[str, Callable[[object], bool]] = {  # what each field of a job holds

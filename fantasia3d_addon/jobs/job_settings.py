@@ -103,7 +103,7 @@ def light_of(settings: Settings) -> str:
 
 
 def size_of(settings: Settings) -> float:
-    """The longest side in metres; 0: as the prompt says, or the usual size."""
+    """The longest side in metres; 0: as stated in the prompt, or the usual size."""
     size = float(f"{settings.size:.4g}")
     if 0 < size < SMALLEST:
         raise AddonError("The size is too small.", "Enter 1 mm or more, or 0 for the usual size.")

@@ -9,7 +9,7 @@ from ..environment import try_lock
 from .job_file import unwritable
 
 NAME = "follower"  # the lock file in the run folder
-WORKER = "lock"  # the core's own, which says its pid (core/io/lock.py)
+WORKER = "lock"  # the core's own, which contains its pid (core/io/lock.py)
 UNKNOWN = "unknown"  # the pid of one that could not write it
 
 

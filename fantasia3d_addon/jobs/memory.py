@@ -40,7 +40,7 @@ def available() -> float | None:
         if sys.platform == "darwin":
             return _available_on_macos(subprocess.check_output(["vm_stat"], text=True, timeout=2))
         return _available_on_linux(Path("/proc/meminfo").read_text("utf-8"))
-    # LookupError: a system that does not say it, such as Windows' first Linux.
+    # LookupError: a system that does not report it, such as Windows' first Linux.
     except (OSError, ValueError, LookupError, AttributeError, subprocess.SubprocessError):
         return None
 

@@ -48,7 +48,7 @@ class Models:
 
 
 def ask_all(core: Core, folder: Path | None) -> list[Model]:
-    """What lies in the models' folder, and in another tool's if there is one."""
+    """The models in the models' folder, and in another tool's if there is one."""
     return [*ask(core), *(ask(core, folder) if folder else ())]
 
 

@@ -1,4 +1,4 @@
-"""What Blender must be told for the panels to show it: the history's list, and to draw again."""
+"""Updates of Blender's data for the panels: the history's list, and a redraw."""
 
 from __future__ import annotations
 

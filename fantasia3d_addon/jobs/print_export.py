@@ -124,5 +124,5 @@ def _export(core: Core, source: Path, path: Path, kind: str, *more: str) -> None
             f"{path.name} was not ready after {TIMEOUT:.0f} s.", "Export fewer faces: Create LODs."
         ) from None
     if done.returncode:
-        said = done.stderr.strip().splitlines() or ["the core gave no reason"]
-        raise OutputError(said[-1].removeprefix("error: "), "")
+        lines = done.stderr.strip().splitlines() or ["the core gave no reason"]
+        raise OutputError(lines[-1].removeprefix("error: "), "")

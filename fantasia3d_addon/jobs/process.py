@@ -90,7 +90,7 @@ class Run:
                 "Press Install in the add-on's preferences.",
             ) from None
         except OSError as error:
-            # The same exception for the log and for the program: the file name tells them apart.
+            # The same exception for the log and for the program: the file name distinguishes them.
             if error.filename and Path(os.fsdecode(error.filename)).is_relative_to(folder):
                 raise unwritable(folder, error) from None
             raise JobError(
@@ -127,7 +127,7 @@ class Run:
 
     def poll(self) -> list[Event]:
         """The events since the last call; a process that died without one adds an error."""
-        # The events come first: they tell the process that is to be looked at.
+        # The events come first: they name the process to look at.
         events = self._take()
         if self.last is None and self._is_dead():
             # What it wrote before its death is never missed: only when all is read it is dead.
@@ -191,7 +191,7 @@ class Run:
         )
 
     def _take(self) -> list[Event]:
-        """The events since the last call, and what they tell of the process."""
+        """The events since the last call; also keeps the process's state that they report."""
         events = self._read()
         for event in events:
             self.pid = event.pid or self.pid
@@ -226,7 +226,7 @@ def is_core(pid: int, folder: Path) -> bool:
     if command is not None:
         return os.fsencode(folder.name) in command
     # Where the system does not report it: the core holds the run's lock from before its first
-    # event until after its last. On a full disk the lock is held, and does not say by whom.
+    # event until after its last. On a full disk the lock is held without its owner's pid.
     return worker(folder) in (str(pid), UNKNOWN)
 
 

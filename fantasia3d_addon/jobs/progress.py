@@ -82,8 +82,8 @@ class FollowedRun:
         self, run: Run, target: Target, lock: RunLock | None, file_number: int | None
     ) -> None:
         self.run, self.target, self.lock = run, target, lock
-        # Of the file that was open at the request, whose name may change; None: an earlier
-        # Blender's, of which the name is all that is known.
+        # The number of the file that was open at the request, whose name may change; None: an
+        # earlier Blender's, known by its name alone.
         self.file_number = file_number
         self.job = read_job(run.folder)
         self.progress = Progress(stages_of(self.job))

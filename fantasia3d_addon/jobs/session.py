@@ -425,8 +425,8 @@ class Session:
         """Whether the open file is that of ``target``, which had ``number`` at the request."""
         if number == self._file_number:  # also after it was saved as another
             return True
-        # Files that were never saved look alike: a new object may come into another of them, but
-        # an object there is another one, though it is called the same.
+        # Unsaved files cannot be distinguished: a new object may come into another of them, but
+        # an object there is another one, even with the same name.
         named = target.file or not target.object
         return bool(named) and target.file == bpy.data.filepath
 

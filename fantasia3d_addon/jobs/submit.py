@@ -26,7 +26,7 @@ from .session import session
 from .target import FREE, Target
 from .words import Report, unknown
 
-# What a run with another material starts from; the last says that the shape is finished.
+# The files that a run with another material starts from; the last means that the shape is finished.
 SHAPE_PARTS = (
     "checkpoint/geometry.safetensors",
     "checkpoint/reshaped.safetensors",

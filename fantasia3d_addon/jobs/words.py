@@ -131,10 +131,10 @@ def summary(report: Report) -> str:
 
 
 def _of_parts(report: Report) -> tuple[list[str], list[str]]:
-    """How the parts look that have looks of their own, and these parts."""
-    told = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
-    own = list(dict.fromkeys(part for of_parts in told for part in of_parts))
-    return [" ".join([*(of[part] for of in told if part in of), part]) for part in own], own
+    """The looks of parts that have their own, and these parts."""
+    looks = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
+    own = list(dict.fromkeys(part for of_parts in looks for part in of_parts))
+    return [" ".join([*(of[part] for of in looks if part in of), part]) for part in own], own
 
 
 def _beside(other: Report) -> str:

@@ -55,7 +55,7 @@ ENGINES = {
 def export_for(obj: bpy.types.Object, folder: Path, engine: str, size: int = 0) -> Path:
     """Write ``obj`` into ``folder`` for ``engine``: NAME.glb or NAME.fbx, with its pictures.
 
-    It lies at the origin, its rotation and scale applied. ``size``: as of ``export_object``.
+    It is at the origin, its rotation and scale applied. ``size``: as of ``export_object``.
 
     Raises:
         AddonError: as ``export_object``.

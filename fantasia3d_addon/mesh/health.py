@@ -240,7 +240,7 @@ def _nothing_hidden(mesh: bpy.types.Mesh) -> Iterator[None]:
     try:
         yield
     finally:
-        # Again from the mesh: Edit Mode has written all of it anew.
+        # Again from the mesh: Edit Mode has rewritten all of it.
         parts = (mesh.vertices, mesh.edges, mesh.polygons)
         for part, was in zip(parts, hidden, strict=True):
             part.foreach_set("hide", was)

@@ -35,7 +35,7 @@ def supports(obj: bpy.types.Object) -> list[bpy.types.Object]:
 
 
 def _is_below(points: np.ndarray, middle: np.ndarray, height: float) -> bool:
-    """Whether what has ``points`` begins below ``height``, and not only beside ``middle``."""
+    """Whether the object of ``points`` starts below ``height``, and is also under ``middle``."""
     low, high = points.min(0), points.max(0)
     return bool(low[2] <= height and (low[:2] <= middle[:2]).all() and (high >= middle)[:2].all())
 

@@ -29,7 +29,7 @@ def made_for(obj: bpy.types.Object) -> list[bpy.types.Object]:
 
 
 def token_of(obj: bpy.types.Object) -> str:
-    """What the object and the helpers of its simulation share; "" where it is not simulated.
+    """The token of the object and its simulation's helpers; "" where it is not simulated.
 
     Not its name, which the user may change, nor a pointer to it, which would keep it when it is
     deleted.

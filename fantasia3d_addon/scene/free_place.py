@@ -1,6 +1,6 @@
 """The free place nearest to a point: where a preview or an asset intersects nothing.
 
-Objects count with their bounding boxes; large ones that an asset stands in or on, such as a room
+Objects count with their bounding boxes; large ones that an asset is in or on, such as a room
 or a terrain, with their faces.
 """
 
@@ -18,7 +18,7 @@ from ..blender.mesh_arrays import moved
 GAP = 0.05  # to the next object, of the asset's longest side
 MIN_SURROUNDINGS = 3.0  # metres; what is wider may be a room or a terrain
 SURROUNDINGS = 4.0  # and so many times as wide as the asset
-CLEAR_FROM = 0.1  # of the asset's height: lower faces are the floor that it stands on
+CLEAR_FROM = 0.1  # of the asset's height: lower faces are the floor below it
 EXACT_TRIES = 64  # places that are compared with the faces of the surroundings
 FARTHER = 1.5  # times the distance of the nearest place, for one that is seen
 UP = Vector((0, 0, 1))

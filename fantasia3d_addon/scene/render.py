@@ -53,7 +53,7 @@ def add_camera(
     azimuth_deg: float = 32.0,
     elevation_deg: float = 16.0,
 ) -> bpy.types.Object:
-    """A camera that sees all of ``obj``; azimuth 0 stands at -Y and grows towards +X."""
+    """A camera that sees all of ``obj``; azimuth 0 is at -Y and grows towards +X."""
     return add_camera_about(scene, *bounding_sphere(obj), azimuth_deg, elevation_deg)
 
 
@@ -205,7 +205,7 @@ def _evening_sky(tree: bpy.types.NodeTree, glow: light.Glow) -> bpy.types.NodeSo
 
 
 def turn_low_sun(scene: bpy.types.Scene) -> None:
-    """Turn the light of a sunset so that its sun stands to the side of the scene's camera.
+    """Turn the light of a sunset so that its sun is to the side of the scene's camera.
 
     From behind the camera it casts no shadow that is seen. Any other light stays as it is.
     """

@@ -1,4 +1,4 @@
-"""Candidates: several quick shapes or materials, of which the user has one finished."""
+"""Candidates: several quick shapes or materials; the user finishes one of them."""
 
 from __future__ import annotations
 

@@ -70,10 +70,10 @@ class FANTASIA3D_OT_repair_mesh(bpy.types.Operator):
         def repair() -> None:
             done = health.repair(obj, what)
             names = ", ".join(translated(health.REPAIRS[name][0]) for name in done)
-            said = f"{translated('Repaired')}: {names}." if names else NOTHING
+            text = f"{translated('Repaired')}: {names}." if names else NOTHING
             if "SCALE" in health.update_report(obj).faults and what is None:
-                said += f" {NO_SCALE}"
-            self.report({"INFO"}, in_language(said))
+                text += f" {NO_SCALE}"
+            self.report({"INFO"}, in_language(text))
 
         return run_and_report(self, repair)
 

@@ -12,7 +12,7 @@ from bpy.app.translations import pgettext_iface as translated
 TAB = "Fantasia3D"
 TEXT_SIZE = 11.0  # points, as Blender's widgets
 SENTENCES = re.compile(r"(?<=[.!?]) +")
-VALUES = re.compile(r"“[^”]*”|\d[\d.,:]*(?<=\d)")  # what a message is told with: names, numbers
+VALUES = re.compile(r"“[^”]*”|\d[\d.,:]*(?<=\d)")  # the values in a message: names, numbers
 OTHER_WIDTH = 96.0  # pixels at scale 1 that text can't use: tabs, the panel's borders, an icon
 
 
@@ -39,9 +39,9 @@ def wrapped_label(
 
 
 def in_language(text: str, translate: Callable[[str], str] = translated) -> str:
-    """``text`` in the interface's language: a message, or several sentences of which each is one.
+    """``text`` in the interface's language: a message, or several sentences that are each one.
 
-    In a message "{}" stands for a number or a “name”, which come in the same order.
+    In a message "{}" is replaced by a number or a “name”, in the same order.
     """
     whole = translate(text)
     if whole != text:

@@ -16,7 +16,7 @@ MATERIALS = tuple(
 )
 
 
-# Honest about the shape: vertices move, so that nothing is designed anew.
+# Clear about the shape: vertices move, so nothing new is designed.
 CHANGES = (
     (MAPS, "Material", "Their texels alone become another material"),
     (

@@ -88,7 +88,7 @@ class FANTASIA3D_PT_material(ToolPanel, bpy.types.Panel):
 
 
 class FANTASIA3D_PT_scene(ToolPanel, bpy.types.Panel):
-    """Where the asset stands."""
+    """Where the asset is."""
 
     bl_idname = "FANTASIA3D_PT_scene"
     bl_label = "Placement"
