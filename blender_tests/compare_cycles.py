@@ -191,7 +191,7 @@ def psnr(a: Float[Tensor, "*b 3"], b: Float[Tensor, "*b 3"]) -> float:
 class Exact:
     """Eqs. 7 and 8 integrated point by point over 1024 visible normals; slow.
 
-    A sample reads the light as blurred as the sample's share of the sphere is wide, so that 1024
+    A sample reads the light as blurred as the sample's part of the sphere is wide, so that 1024
     are enough; what is too small for that, the lamps, is shaded as it is.
     """
 

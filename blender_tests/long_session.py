@@ -50,7 +50,7 @@ def jobs(count: int, folder: Path) -> Iterator[dict]:
 
 
 def one_job() -> None:
-    """Request what the settings say, and delete what came of it."""
+    """Request the settings' job, and delete its result."""
     submit.generate(bpy.context)
     deadline = time.monotonic() + PATIENCE
     while session.tick() is not None:

@@ -107,7 +107,7 @@ def shoot(obj: bpy.types.Object, path: Path, backdrop: bool = False) -> np.ndarr
 
 
 def read(path: Path) -> np.ndarray:
-    """The pixels (H,W,3) of a picture file, as they stand there, row 0 at the top."""
+    """The pixels (H,W,3) of a picture file, unconverted, row 0 at the top."""
     image = bpy.data.images.load(str(path), check_existing=False)
     image.colorspace_settings.name = "Non-Color"
     width, height = image.size

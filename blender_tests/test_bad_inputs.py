@@ -172,9 +172,11 @@ def test_a_bad_input_is_one_sentence_and_its_exit_code(
         if not counts and "locked" in line:
             pytest.skip("permissions do not count here")
         assert run.main(words(line)) == code
-    said = capfd.readouterr().err
-    assert "Traceback" not in said, said
-    sentence = said.splitlines()[-1]  # what Blender itself prints of a picture comes before
-    assert sentence.startswith("error: ") and said.count("error: ") == 1 and part in sentence, said
+    output = capfd.readouterr().err
+    assert "Traceback" not in output, output
+    sentence = output.splitlines()[-1]  # what Blender itself prints of a picture comes before
+    assert sentence.startswith("error: ") and output.count("error: ") == 1 and part in sentence, (
+        output
+    )
     assert ". " in sentence, "what was got, and what to do"
     assert listed(folder) == before

@@ -159,9 +159,11 @@ PHYSICS = ["physics", "X", "--physics", "soft", "--render", "a.png"]
 )
 def test_a_number_out_of_its_range_is_refused_with_the_range(command, option, value, takes, capfd):
     assert run.main([*command, f"{option}={value}"]) == 2
-    said = capfd.readouterr().err
-    assert said.startswith("error: ") and said.count("\n") == 1
-    assert option in said and f"'{value}'" in said and f"use {takes}" in said.replace(".", "")
+    printed = capfd.readouterr().err
+    assert printed.startswith("error: ") and printed.count("\n") == 1
+    assert (
+        option in printed and f"'{value}'" in printed and f"use {takes}" in printed.replace(".", "")
+    )
 
 
 def test_a_light_with_nan_is_refused_and_leaves_the_old_picture(asset, tmp_path, capfd):

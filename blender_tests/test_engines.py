@@ -45,7 +45,7 @@ def fbx(path):
     named = lambda e: e.props[1].split(b"\0")[0].decode()  # noqa: E731
     objects = top[b"Objects"].elems
     kinds = {named(e): e.props[2].decode() for e in objects if e.id == b"Model"}
-    # The type of a node without a mesh stands in its attribute.
+    # The type of a node without a mesh is in its attribute.
     kinds["groups"] = [e.props[2].decode() for e in objects if e.id == b"NodeAttribute"]
     local = {
         named(e): {

@@ -92,7 +92,7 @@ def test_what_the_viewports_leave_out_is_exported_as_it_looks(tmp_path, hidden, 
     obj.modifiers.new("finer", "SUBSURF").levels = 2
     if hidden == "key":
         obj.keyframe_insert("hide_viewport")
-        obj.hide_viewport = False  # at this frame the key says otherwise
+        obj.hide_viewport = False  # at this frame the key has another value
     if has_child:  # that is shown, and needs it
         child = bpy.data.objects.new("child", None)
         bpy.context.scene.collection.objects.link(child)

@@ -260,7 +260,7 @@ def core_in_this_process(monkeypatch):
 
 
 def test_the_operator_prints_what_is_watertight(addon, obj, tmp_path, monkeypatch):
-    """In millimetres, where it stands; an open mesh is refused by the core's own sentence."""
+    """In millimetres, at its place; an open mesh is refused by the core's own sentence."""
     pytest.importorskip("torch")
     trimesh = pytest.importorskip("trimesh")
     monkeypatch.setenv("FANTASIA3D_PYTHON", sys.executable)

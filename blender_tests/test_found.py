@@ -1,4 +1,4 @@
-"""Every operator is found by search, has a tooltip, and says why it is disabled."""
+"""Every operator is found by search, has a tooltip, and states why it is disabled."""
 
 import re
 from pathlib import Path
@@ -104,7 +104,7 @@ def test_every_property_has_a_name_and_a_tooltip(addon):
 
 
 @pytest.mark.parametrize("name", [n for n, cls in OPERATORS.items() if hasattr(cls, "poll")])
-def test_a_disabled_operator_says_why(addon, name):
+def test_a_disabled_operator_states_why(addon, name):
     """In an empty scene, where nothing runs; some are enabled even there."""
     operator = getattr(bpy.ops.fantasia3d, name)
     if operator.poll():

@@ -1,4 +1,4 @@
-"""Where a preview and an asset appear: beside what is there, and in the view."""
+"""Where a preview and an asset appear: next to existing objects, and in the view."""
 
 import json
 
@@ -167,7 +167,7 @@ def followed(tmp_path, **target) -> FollowedRun:
     return FollowedRun(Run.attach(folder), Target(**target), None, 0)
 
 
-def test_the_preview_is_beside_the_default_cube_and_stays_there(default_scene, tmp_path):
+def test_the_preview_is_next_to_the_default_cube_and_stays_there(default_scene, tmp_path):
     path, run = tmp_path / "shape.npz", followed(tmp_path)
     write_shape(path)
     obj = live_preview.show(bpy.context.scene, path, run)

@@ -1,4 +1,4 @@
-"""What Blender writes to a full disk or into a read-only folder: the older file stays, and is said.
+"""Blender's output on a full disk or in a read-only folder: the older file stays; it is reported.
 
 The disk is a small file system in memory, which only root may mount.
 """

@@ -136,7 +136,7 @@ def test_an_impossible_repair_is_an_error(tmp_path):
         health.repair(obj)
 
 
-def test_the_scale_of_a_shared_mesh_is_left_and_that_is_said(addon, tmp_path, capfd):
+def test_the_scale_of_a_shared_mesh_is_left_and_that_is_reported(addon, tmp_path, capfd):
     obj = made(tmp_path, holed())
     obj.scale = (2, 2, 2)
     obj.data.use_fake_user = True  # which is no other object

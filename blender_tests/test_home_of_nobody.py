@@ -25,7 +25,7 @@ from fantasia3d_addon.scene import light, relight  # noqa: E402
 
 pytestmark = [pytest.mark.blender, pytest.mark.usefixtures("empty")]
 NOWHERE = "~no-one/x"
-SAID = "There is no home folder '~no-one', as in '~no-one/x"
+SENTENCE = "There is no home folder '~no-one', as in '~no-one/x"
 ADDON = Path(environment.__file__).parents[1]
 # The functions for all; the command line, which looks before Blender starts.
 MAY_EXPAND = {"environment/files.py", "cli/parser.py"}
@@ -38,9 +38,9 @@ def obj(asset):
 
 def test_an_output_is_refused(obj, tmp_path):
     core = Core(Path(sys.executable), tmp_path)
-    with pytest.raises(OutputError, match=SAID), temporary_output(Path(NOWHERE)):
+    with pytest.raises(OutputError, match=SENTENCE), temporary_output(Path(NOWHERE)):
         pass
-    with pytest.raises(OutputError, match=SAID), relight.whole_turntable(Path(NOWHERE)):
+    with pytest.raises(OutputError, match=SENTENCE), relight.whole_turntable(Path(NOWHERE)):
         pass
     for write in (
         lambda: export.export_object(obj, Path(NOWHERE + ".glb")),
@@ -48,7 +48,7 @@ def test_an_output_is_refused(obj, tmp_path):
         lambda: print_export.export_print(obj, Path(NOWHERE + ".stl"), core),
         lambda: relight.turntable(obj, Path(NOWHERE)),
     ):
-        with pytest.raises(OutputError, match=SAID):
+        with pytest.raises(OutputError, match=SENTENCE):
             write()
 
 
@@ -60,22 +60,22 @@ def test_the_panels_files_are_refused(addon):
         lambda: job_settings.job_of(settings),
         lambda: job_settings._safetensors(NOWHERE, "LoRA"),
     ):
-        with pytest.raises(AddonError, match=SAID):
+        with pytest.raises(AddonError, match=SENTENCE):
             refuse()
-    assert SAID in jobs_submit.reason_against_generate(bpy.context)  # as the panel shows it
+    assert SENTENCE in jobs_submit.reason_against_generate(bpy.context)  # as the panel shows it
 
 
 @pytest.mark.parametrize("name", ["FANTASIA3D_ENV", "FANTASIA3D_PYTHON"])
 def test_a_variable_is_refused_and_the_panels_say_why(addon, monkeypatch, name):
     monkeypatch.delenv("FANTASIA3D_PYTHON", raising=False)
     monkeypatch.setenv(name, NOWHERE)
-    with pytest.raises(environment.SetupError, match=SAID):
+    with pytest.raises(environment.SetupError, match=SENTENCE):
         _ = Paths(bpy.context).python
     assert not environment_setup.is_installed()
-    assert SAID in jobs_submit.reason_against_jobs(bpy.context)
+    assert SENTENCE in jobs_submit.reason_against_jobs(bpy.context)
     if name == "FANTASIA3D_ENV":
-        assert SAID in environment_setup.reason_against()
-        assert SAID in environment_setup.reason_against_removal()
+        assert SENTENCE in environment_setup.reason_against()
+        assert SENTENCE in environment_setup.reason_against_removal()
 
 
 def test_the_preferences_folder_of_runs_is_told_and_nothing_stops(addon, monkeypatch):
@@ -88,13 +88,13 @@ def test_the_preferences_folder_of_runs_is_told_and_nothing_stops(addon, monkeyp
     for call in (session.refresh, lambda: session.adopt(bpy.context)):
         session.error = None
         call()
-        assert session.error and SAID in session.error[0]
+        assert session.error and SENTENCE in session.error[0]
 
 
 def test_the_environments_own_paths_are_refused(monkeypatch):
-    with pytest.raises(environment.SetupError, match=SAID):
+    with pytest.raises(environment.SetupError, match=SENTENCE):
         given_python(NOWHERE, ())
-    with pytest.raises(environment.SetupError, match=SAID):
+    with pytest.raises(environment.SetupError, match=SENTENCE):
         write_report(Path(NOWHERE), environment.project_root(), [])
 
 

@@ -52,8 +52,8 @@ def test_ctrl_c_ends_a_render_and_leaves_the_old_picture(asset, tmp_path, target
         time.sleep(0.05)
     # The render is under way. By the processor's time: a busy machine loads Blender for long.
     process = psutil.Process(child.pid)
-    begun = sum(process.cpu_times()[:2])
-    while sum(process.cpu_times()[:2]) < begun + 1:
+    started = sum(process.cpu_times()[:2])
+    while sum(process.cpu_times()[:2]) < started + 1:
         assert child.poll() is None and time.monotonic() < deadline, child.communicate()
         time.sleep(0.05)
     start = time.monotonic()
@@ -105,9 +105,9 @@ def test_blenders_own_folder_is_removed_at_the_end_and_never_everybodys(tmp_path
         base /= (1017 - len(str(base))) * "x"
     base.mkdir(parents=True, exist_ok=True)
     (base / "mine.txt").write_text("another program's")
-    said = "import bpy, sys; sys.stdout.write(bpy.app.tempdir); sys.stdout.flush()"
+    message = "import bpy, sys; sys.stdout.write(bpy.app.tempdir); sys.stdout.flush()"
     done = subprocess.run(
-        blender_command(f"{said}\n{ENDS[end]}"),
+        blender_command(f"{message}\n{ENDS[end]}"),
         env={**os.environ, "TMPDIR": str(base)},
         capture_output=True,
         text=True,

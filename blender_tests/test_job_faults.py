@@ -52,7 +52,7 @@ def test_each_operation_of_a_request_fails_once(ready, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("then", ["nothing", "a file"])
-def test_a_run_folder_that_goes_meanwhile_is_told(ready, wait, tmp_path, then):
+def test_a_run_folder_that_goes_meanwhile_is_reported(ready, wait, tmp_path, then):
     ready.prompt = "long"
     folder = submit.generate(bpy.context)
     wait(until=lambda: session.running[0].progress.fraction > 0)

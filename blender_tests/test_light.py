@@ -161,7 +161,7 @@ def test_a_sunsets_sun_stands_to_the_side_and_other_lights_stay():
         render_settings.turn_low_sun(scene)
         turn = -light.light_node(scene.world, "Mapping").inputs["Rotation"].default_value[2]
         assert (abs(turn) > 1e-3) == turned
-        if turned:  # the camera stands at -Y, that is -90 degrees
+        if turned:  # the camera is at -Y, that is -90 degrees
             sun = light.glow_of(light.environment_image(scene.world)).azimuth + turn
             assert math.degrees(sun) == pytest.approx(-90 + 75, abs=1)
 

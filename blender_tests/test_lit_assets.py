@@ -147,8 +147,8 @@ def test_what_a_region_keeps_has_all_the_maps_byte_for_byte(lit, asset, tmp_path
             path = folder / f"{role}.png"
             assert (path.name in kept) == path.is_file()
             assert not path.is_file() or kept[path.name].read_bytes() == path.read_bytes()
-        told = json.loads(kept["asset.json"].read_text())["files"]
-        assert told.keys() == kept.keys() - {"asset.json"}
+        report = json.loads(kept["asset.json"].read_text())["files"]
+        assert report.keys() == kept.keys() - {"asset.json"}
 
 
 def test_quads_glow_where_the_triangles_did(lit):

@@ -147,7 +147,7 @@ def test_twenty_thousand_faces_are_taken_in_within_a_tick(addon, tmp_path):
     assert min(seconds) < 0.05
 
 
-def test_a_picture_is_read_anew_when_it_changes(addon, tmp_path):
+def test_a_picture_is_read_again_when_it_changes(addon, tmp_path):
     import os
 
     path, pictures = tmp_path / "a.png", icons._collections[0]

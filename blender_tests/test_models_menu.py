@@ -24,7 +24,7 @@ def write(path, name, shape=(1, 1)):
 
 @pytest.fixture
 def found(addon, tmp_path):
-    """What the core says of a folder with a LoRA, an embedding and a pickle."""
+    """The core's answer for a folder with a LoRA, an embedding and a pickle."""
     write(tmp_path / "style.safetensors", "lora_unet_x.lora_down.weight")
     write(tmp_path / "word.safetensors", "emb_params", (1, 768))
     (tmp_path / "old.ckpt").write_bytes(b"x")

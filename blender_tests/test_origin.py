@@ -1,4 +1,4 @@
-"""The object, its material, its entry in the Asset Browser and its GLB say where they came from."""
+"""The object, its material, its entry in the Asset Browser and its GLB state their origin."""
 
 import json
 import struct
@@ -67,7 +67,7 @@ def test_an_exported_glb_has_it_and_the_prompts_name(chair, tmp_path):
     }
 
 
-def test_an_asset_of_an_earlier_release_has_what_it_says(empty, asset):
+def test_an_asset_of_an_earlier_release_has_what_it_states(empty, asset):
     assert set(origin_of(import_asset(bpy.context, asset))) == {"prompt", "preset", "guidance"} | {
         "seed"
     }

@@ -32,7 +32,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 def test_each_operation_of_an_output_fails_once(tmp_path):
     with Operations(tmp_path / "in peace").watched() as operations:
         write(tmp_path / "in peace" / "chair.obj")
-    # No longer there when the rest runs: the folder, which is made anew only once.
+    # No longer there when the rest runs: the folder, which is made again only once.
     assert {"replace chair.obj", "open fantasia3d.lock", "mkdir textures"} <= {*operations.log}
     for i, name in enumerate(operations.log):
         folder = tmp_path / f"{i}"
@@ -44,11 +44,11 @@ def test_each_operation_of_an_output_fails_once(tmp_path):
             with Operations(folder, i, (errno.ENOSPC, errno.EACCES)[i % 2]).watched():
                 write(path)
         except OutputError as error:
-            said = str(error)
+            message = str(error)
         else:
-            said = ""
+            message = ""
         found = contents(folder)
-        assert found["chair.obj"] == (OLD if said else NEW), name
-        assert found["precious.txt"] == OLD and "\n" not in said, name
+        assert found["chair.obj"] == (OLD if message else NEW), name
+        assert found["precious.txt"] == OLD and "\n" not in message, name
         write(path)
         assert contents(folder)["chair.obj"] == NEW, name

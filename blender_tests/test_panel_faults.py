@@ -1,4 +1,4 @@
-"""Between the panel and a job: what goes wrong is said, and the next thing still works."""
+"""Between the panel and a job: errors are reported, and the next action still works."""
 
 import ast
 import errno
@@ -310,14 +310,14 @@ def test_an_export_that_hangs_or_cannot_start_is_a_sentence(addon, tmp_path, mon
 
 
 def test_a_missing_installation_is_an_operators_sentence():
-    said: list[str] = []
-    operator = SimpleNamespace(report=lambda _kinds, text: said.append(text))
+    output: list[str] = []
+    operator = SimpleNamespace(report=lambda _kinds, text: output.append(text))
 
     def act() -> None:
         raise SetupError("There is no core.", "Install it.")
 
     assert run_and_report(operator, act) == {"CANCELLED"}
-    assert said == ["There is no core. Install it."]
+    assert output == ["There is no core. Install it."]
 
 
 def test_an_export_into_a_folder_has_the_objects_name(addon, asset, tmp_path):
@@ -356,7 +356,7 @@ def test_every_reason_of_a_poll_is_translated():
         }
         for path in UI.glob("*.py")
         for cls in ast.walk(ast.parse(path.read_text("utf-8")))
-        # A panel is hidden, and says no reason.
+        # A panel is hidden, and gives no reason.
         if isinstance(cls, ast.ClassDef) and not re.search("_PT_|Panel", cls.name)
         for poll in cls.body
         if isinstance(poll, ast.FunctionDef) and poll.name == "poll"
@@ -365,7 +365,7 @@ def test_every_reason_of_a_poll_is_translated():
     assert {name: found for name, found in polls.items() if not found or found - helpers} == {}
 
 
-def test_what_a_bug_stops_is_said_in_german():
+def test_what_a_bug_stops_is_reported_in_german():
     def german(text: str) -> str:
         return in_language(text, lambda message: GERMAN.get(message, message))
 

@@ -116,7 +116,7 @@ def test_what_falls_next_to_it_keeps_its_fall_when_the_second_is_refused(obj, as
     np.testing.assert_allclose(path(other), before, atol=0.01)
 
 
-def test_what_stands_beside_it_is_no_ground(obj):
+def test_what_stands_next_to_it_is_no_ground(obj):
     add_box((0.5, 0.5, 0.5), (1.2, 0, 0.25))
     fall(obj, 0.05)
     bpy.context.scene.frame_set(FRAMES)

@@ -67,7 +67,7 @@ def test_a_ball_on_a_ball_touches_in_one_point():
     assert upper.location.z == pytest.approx(math.sqrt(1 - 0.09), abs=0.01)
 
 
-def test_a_spike_below_stops_it_though_no_vertex_of_its_own_lies_above():
+def test_a_spike_below_stops_it_though_no_vertex_of_its_own_is_above():
     spike = add_box((0.02, 0.02, 2), (0.05, 0.03, 0))
     plate = add_box((2, 2, 0.1), (0, 0, 5))
     placement.drop(plate)

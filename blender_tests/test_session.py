@@ -319,7 +319,7 @@ def test_what_an_import_raises_is_a_sentence_and_the_asset_is_offered(ready, mon
     assert (len(bpy.data.objects), session.missed) == (1, [])
 
 
-def test_a_tick_that_fails_is_told_once_and_the_next_goes_on(ready, monkeypatch, capsys):
+def test_a_tick_that_fails_is_reported_once_and_the_next_goes_on(ready, monkeypatch, capsys):
     def broken(**_more: object) -> None:
         raise RuntimeError("No such layer.")
 

@@ -63,7 +63,7 @@ def test_what_goes_with_it_comes_last():
         assert words.summary(words.ask(CORE, (prompt, False))) == line
 
 
-def test_how_many_there_are_is_said():
+def test_how_many_there_are_is_reported():
     told = {
         "three red apples": "3 × apple, red",
         "a pile of skulls": "7 × skull",
@@ -224,7 +224,7 @@ def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
         ("a robot 2 m tall", 0.5, "robot: 50 cm"),  # what is set in the panel is the longest side
     ],
 )
-def test_the_panel_says_of_which_side_a_stated_size_is(settings, prompt, size, line, monkeypatch):
+def test_the_panel_states_of_which_side_a_stated_size_is(settings, prompt, size, line, monkeypatch):
     from fantasia3d_addon.ui import text
 
     settings(prompt)

@@ -42,7 +42,7 @@ def steps(screen: Screen) -> Iterator[float]:
         yield 0.1
     report["error"], report["end"] = session.error, session.last.end.text
     yield 1.0
-    tell_of(bpy.data.objects[session.asset])
+    report_on(bpy.data.objects[session.asset])
     bpy.ops.ed.undo()
     report["after_undo"] = meshes()
     bpy.ops.ed.redo()
@@ -52,7 +52,7 @@ def steps(screen: Screen) -> Iterator[float]:
 
 
 def look_from(screen: Screen) -> None:
-    """At the place where the asset will stand, from its front and above."""
+    """At the place where the asset will be, from its front and above."""
     from mathutils import Euler, Vector
 
     view = screen.area.spaces.active.region_3d
@@ -80,7 +80,7 @@ def watch(followed: FollowedRun) -> Iterator[float]:
             screenshot(f"running_{taken:02}")
 
 
-def tell_of(obj: bpy.types.Object) -> None:
+def report_on(obj: bpy.types.Object) -> None:
     """What is in the scene."""
     material = obj.active_material
     images = [n.image for n in material.node_tree.nodes if n.type == "TEX_IMAGE"]

@@ -53,7 +53,7 @@ def words(settings) -> Iterator[float]:
 
 
 def preview(screen: Screen, settings) -> Iterator[float]:
-    """The growing shape beside the cube, and alone."""
+    """The growing shape next to the cube, and alone."""
     settings.ignore_unknown, settings.prompt = True, "show a red wooden chair"
     yield 0.6
     bpy.ops.fantasia3d.generate()

@@ -77,7 +77,7 @@ def edit(screen: Screen) -> Iterator[float]:
 
 
 def shape(obj: bpy.types.Object) -> Iterator[float]:
-    """The same faces' shape: what the panel says of it, the job, undo and the way back."""
+    """The same faces' shape: the panel's text, the job, undo and the way back."""
     tools, name = bpy.context.scene.fantasia3d_tools, obj.name
     tools.region_change, tools.region_words = "shape", "a cube"
     bpy.context.scene.fantasia3d.negative_prompt = RESHAPED
@@ -97,7 +97,7 @@ def shape(obj: bpy.types.Object) -> Iterator[float]:
     for act in (bpy.ops.ed.undo, bpy.ops.ed.redo, bpy.ops.fantasia3d.restore_shape):
         act()
         report["shapes"].append(corners(name))
-    # Not ``tools``: undo has made the scene anew.
+    # Not ``tools``: undo has made the scene again.
     bpy.context.scene.fantasia3d_tools.region_change = "maps"
 
 

@@ -31,7 +31,7 @@ def steps(screen: Screen) -> Iterator[float]:
     yield from screen.type_prompt(TYPED)
     report["prompt"] = settings.prompt
     settings.prompt, settings.negative_prompt = PROMPT, ASSET
-    settings.ignore_unknown = True  # of the words that tell the fake core what to do
+    settings.ignore_unknown = True  # of the words that direct the fake core
     yield 1.0
     screenshot("before")
     yield from screen.press_generate(390)

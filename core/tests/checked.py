@@ -2,7 +2,7 @@
 
 A check costs about as much as a small function. So a function, and the making of a dataclass, is
 checked at its first calls in each test, where a wrong use shows, at one in ten of those after, and
-at one in a hundred of more than a thousand; and the checks of signatures that are alike are made
+at one in a hundred of more than a thousand; and the checks of equal signatures are made
 once.
 """
 
@@ -54,7 +54,7 @@ def jaxtyped(function: Any = None, *, typechecker: Callable) -> Any:
     return checked
 
 
-# An int may stand for a float, as PEP 484 has it.
+# An int is accepted as a float, as in PEP 484.
 _check = beartype(conf=BeartypeConf(is_pep484_tower=True))
 _made: dict[tuple, Callable] = {}
 

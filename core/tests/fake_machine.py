@@ -13,7 +13,7 @@ from run import environment
 machine = sys.modules[environment.find_python.__module__]
 
 # A Python that answers the probe, makes "environments" of itself, and plays pip. Each call is a
-# line in CALLS: what it was, and its last words. FAKE_SAYS is the end of an installation that
+# line in CALLS: what it was, and its last words. FAKE_OUTPUT is the end of an installation that
 # fails, FAKE_SECONDS is how long one takes.
 FAKE = """#!{python} -S
 import os, shutil, sys, time
@@ -62,8 +62,8 @@ elif "install" in args:
         args[-2:] = [line.split()[0] for line in file]
     call("install")
     time.sleep(float(os.environ.get("FAKE_SECONDS", 0)))
-    if os.environ.get("FAKE_SAYS"):
-        sys.exit(os.environ["FAKE_SAYS"])
+    if os.environ.get("FAKE_OUTPUT"):
+        sys.exit(os.environ["FAKE_OUTPUT"])
     open(os.path.join(os.path.dirname(sys.argv[0]), "installed"), "w").close()
 """
 CPU = {"install": [{"metadata": {"version": "2.13.0", "requires_dist": ["sympy>=1.13"]}}]}
@@ -104,7 +104,7 @@ class Machine:
         self.root = self.folder / "tree"
         (self.root / "core").mkdir(parents=True)
         self.pin("torch==2.13.0")
-        self.said: list[str] = []
+        self.messages: list[str] = []
 
     def be(self, version: str) -> None:
         """Make the machine's one Python be of this version."""
@@ -154,8 +154,8 @@ class Machine:
         return sum(line.startswith(kind) for line in self.log)
 
     def ensure(self, *groups: str, **options: bool) -> Path:
-        def hear(text: str, share: float) -> None:
-            assert 0 <= share <= 1
-            self.said.append(text)
+        def show(text: str, fraction: float) -> None:
+            assert 0 <= fraction <= 1
+            self.messages.append(text)
 
-        return environment.ensure(self.root, groups, hear, **options)
+        return environment.ensure(self.root, groups, show, **options)

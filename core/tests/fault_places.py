@@ -82,17 +82,17 @@ def _misplaced(
     _spoil(run, place)
     os.kill(session.pid, signal.SIGCONT)
     code = session.end()
-    said = faults.log.read_text()
+    output = faults.log.read_text()
     if place == "full":
         remount(disk, "size=64m")
     elif place == "read-only":
         permit(run, 0o200)
     elif code:
         shutil.rmtree(run) if run.is_dir() else run.unlink(missing_ok=True)
-    wrong = unfit(code, said) or faults.wrong(run, again=code != 0)
+    wrong = unfit(code, output) or faults.wrong(run, again=code != 0)
     if other.read_text() != "precious":
         wrong = "the user's file is another"
-    return {"code": code, "said": said.strip().splitlines()[-1] if code else "", "wrong": wrong}
+    return {"code": code, "output": output.strip().splitlines()[-1] if code else "", "wrong": wrong}
 
 
 def _spoil(run: Path, place: str) -> None:

@@ -3,10 +3,10 @@
     python -m core.tests.fault_runs --kills 50 --kills-at-files all --failures all --places all
 
 It prints one JSON object a line: what was done to a run, and what was wrong after it ("" where
-nothing was). With ``--log FILE`` the lines are added to FILE, and what stands there is not done
-again: a long walk may be cut off and started again (the random kills alone start anew).
-A session of the core is a fork of this process, so that none of them loads torch.
-Run it with OMP_NUM_THREADS=1: the order of sums is then the same each time, and a fork is safe.
+nothing was). With ``--log FILE`` the lines are added to FILE, and what is recorded there is not
+done again: a long walk may be cut off and started again (only the random kills start again). A
+session of the core is a fork of this process, so that none of them loads torch. Run it with
+OMP_NUM_THREADS=1: the order of sums is then the same each time, and a fork is safe.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def kills_at_files(faults: Faults, task: Task) -> Iterator[dict]:
 
 
 def failures(faults: Faults, task: Task) -> Iterator[dict]:
-    """Runs of which one operation on a file fails, each operation in its turn."""
+    """Runs in which one operation on a file fails, each operation in its turn."""
     for i in chosen(faults.operations, task):
         number = (errno.ENOSPC, errno.EACCES)[(i + task.seed) % 2]
         run = faults.folder / f"failed at {i}"
@@ -92,12 +92,12 @@ def failures(faults: Faults, task: Task) -> Iterator[dict]:
             Operations(run, i, number).watch()
 
         code = faults.session(generate(run), before)
-        said = faults.log.read_text().strip().splitlines()[-1:]
+        output = faults.log.read_text().strip().splitlines()[-1:]
         yield {
             "number": i,
             "failed": f"{errno.errorcode[number]} at {faults.operations[i]}",
             "code": code,
-            "said": "".join(said) if code else "",
+            "output": "".join(output) if code else "",
             "wrong": unfit(code, faults.log.read_text()) or faults.wrong(run),
         }
         shutil.rmtree(run, ignore_errors=True)
@@ -117,7 +117,7 @@ def walk(argv: list[str]) -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--log", type=Path, default=Path(os.devnull))
     args = parser.parse_args(argv)
-    rows = [json.loads(line) for line in told(args.log)]
+    rows = [json.loads(line) for line in lines_of(args.log)]
     with tempfile.TemporaryDirectory() as folder, args.log.open("a", encoding="utf-8") as log:
         faults = Faults(Path(folder))
         same = {"seed": args.seed, "of": len(faults.operations)}
@@ -134,7 +134,7 @@ def walk(argv: list[str]) -> None:
                 print(line, file=log, flush=True)
 
 
-def told(log: Path) -> list[str]:
+def lines_of(log: Path) -> list[str]:
     """The lines of earlier walks."""
     return log.read_text(encoding="utf-8").splitlines() if log.exists() else []
 

@@ -74,7 +74,7 @@ class Session:
             os.dup2(file, 1)
             os.dup2(file, 2)
             os.close(read)
-            told(write, death)
+            pass_on(write, death)
             if before:
                 before()
             code = main(argv)
@@ -104,7 +104,7 @@ class Session:
         return os.waitstatus_to_exitcode(status)
 
 
-def told(pipe: int, death: Moment | None) -> None:
+def pass_on(pipe: int, death: Moment | None) -> None:
     """Have the time of each event written to ``pipe``, and the process killed at ``death``."""
     write, count = EventWriter.write, itertools.count()
 
@@ -155,15 +155,15 @@ class Faults:
         """Kill a run once or twice at random moments; where it was."""
         event = dice.choice(self.moments(stage))
         gap = self.times[event + 1] - self.times[event]
-        said = f"{stage}, event {event}"
+        output = f"{stage}, event {event}"
         while self._kill(generate(run), Moment(event, dice.uniform(1e-3, gap))) >= 0:
             shutil.rmtree(run)  # it was done before: quicker than the run of the times
             gap *= 0.7
         if dice.random() < 0.25:
             event = dice.randrange(4)
             ended = self._kill(resume(run), Moment(event, dice.uniform(1e-3, gap))) >= 0
-            said += f"; again, event {event}" + (", had ended" if ended else "")
-        return said
+            output += f"; again, event {event}" + (", had ended" if ended else "")
+        return output
 
     def _kill(self, argv: list[str], death: Moment) -> int:
         """The exit code of a session that ends at ``death``; negative is a signal."""
@@ -188,11 +188,11 @@ class Faults:
         return ""
 
 
-def unfit(code: int, said: str) -> str:
+def unfit(code: int, output: str) -> str:
     """Why an answer to a failing disk is none: no sentence, or another exit code."""
-    if code == 0 and "Traceback" not in said:
+    if code == 0 and "Traceback" not in output:
         return ""
-    last = said.strip().splitlines()[-1:]
-    if code != 2 or "Traceback" in said or not last or not last[0].startswith("error: "):
-        return f"exit code {code}: {said[-600:]}"
+    last = output.strip().splitlines()[-1:]
+    if code != 2 or "Traceback" in output or not last or not last[0].startswith("error: "):
+        return f"exit code {code}: {output[-600:]}"
     return ""

@@ -102,7 +102,7 @@ def test_blend_is_linear_in_the_crossing_and_continuous() -> None:
         assert float(row.max()) <= 1
 
 
-def test_any_number_of_channels_and_a_background_blend_alike() -> None:
+def test_any_number_of_channels_and_a_background_blend_the_same() -> None:
     verts, faces = sphere(2)
     cameras = Cameras.orbit([5.0, 95.0], [10.0, 20.0])
     fragments = rasterize(verts, faces, cameras.mvp, 20, 28)
@@ -125,7 +125,7 @@ def test_a_hidden_silhouette_blends_nothing() -> None:
         assert bool((out != image).any()) == changes
 
 
-def test_gradient_reaches_the_image_as_the_blend_says() -> None:
+def test_gradient_reaches_the_image_through_the_blend() -> None:
     verts, faces = sphere(2)
     fragments = rasterize(verts, faces, Cameras.orbit([5.0], [10.0]).mvp, 8, 8)
     table = edge_table(faces)

@@ -138,15 +138,15 @@ def test_of_a_part_without_a_flat_face_nothing_is_a_box_or_a_disc():
         edge = torch.stack([across, points[:, 2].abs() - 0.02], 1)
         return (edge.clamp_min(0).norm(dim=1) + edge.amax(1).clamp_max(0) - 0.02)[:, None]
 
-    def told(part, flat):
+    def form_of(part, flat):
         (component,) = KnownParts(part, Forms((flat,), ((0.5,),) * 3)).components
         return component.primitive.form if component.primitive else ""
 
-    assert told(stripe, 1.0) == "box"
-    assert told(stripe, 0.0) not in ("box", "")
-    assert told(eye, 1.0) in ("frustum", "box")
-    assert told(eye, 0.0) in ("ellipsoid", "capsule", "ring")
-    # A row of zeros says nothing: of a part that is small, or was never seen.
+    assert form_of(stripe, 1.0) == "box"
+    assert form_of(stripe, 0.0) not in ("box", "")
+    assert form_of(eye, 1.0) in ("frustum", "box")
+    assert form_of(eye, 0.0) in ("ellipsoid", "capsule", "ring")
+    # A row of zeros has no information: the part is small, or was never seen.
     assert Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(0)
     assert not Forms((0.0, 0.0, 0.2), ((0.0, 0.5, 0.0),) * 3).may_be_flat(1)
 
@@ -173,7 +173,7 @@ def test_what_is_round_is_told_by_the_component_itself():
     assert turned_fraction(disc, drawn(disc), 2) > 0.99
     assert turned_fraction(disc, drawn(disc), 0) < 0.5
     assert turned_fraction(square, drawn(square), 2) < 0.95
-    # Its profile is a circle, though it has lumps and the table of forms says square.
+    # Its profile is a circle, though it has lumps and the table of forms has a square.
 
     def lumpy(points):
         return disc(points) + 0.008 * (9 * torch.atan2(points[:, 1:2], points[:, :1])).sin()
@@ -237,8 +237,8 @@ def test_planes_that_straighten_little_or_open_a_component_are_not_taken(monkeyp
 def layers(steps):
     """The cube as one layer, each side of its outline in so many steps."""
     corners = np.array([(-0.4, -0.3), (0.4, -0.3), (0.4, 0.3), (-0.4, 0.3)])
-    share = np.linspace(0, 1, steps, endpoint=False)[:, None]
-    sides = [a + share * (b - a) for a, b in zip(corners, np.roll(corners, -1, 0), strict=True)]
+    fraction = np.linspace(0, 1, steps, endpoint=False)[:, None]
+    sides = [a + fraction * (b - a) for a, b in zip(corners, np.roll(corners, -1, 0), strict=True)]
     outline = packed([(-0.2, 0.2, [np.concatenate(sides)])])
     return Primitive("layers", np.zeros(3), np.zeros(3), outline)
 
@@ -264,8 +264,8 @@ def test_layers_are_sought_along_a_component_s_own_axes_and_around_it(monkeypatc
     assert max(along) > 0.99
 
 
-@pytest.mark.parametrize(("refused", "told"), [("box", "capsule"), ("", "box")])
-def test_a_block_that_was_not_drawn_so_is_told_anew(monkeypatch, refused, told):
+@pytest.mark.parametrize(("refused", "form"), [("box", "capsule"), ("", "box")])
+def test_a_block_that_was_not_drawn_so_is_found_again(monkeypatch, refused, form):
     def fitted(points, error, faces):
         return upright(0.1, 0.1, 0.1)._replace(form="box" if faces.block else "capsule")
 
@@ -275,10 +275,10 @@ def test_a_block_that_was_not_drawn_so_is_told_anew(monkeypatch, refused, told):
     one = matching.one_drawn(
         table, component, assembly_components.points_of(component), Faces(block=True)
     )
-    assert one is not None and one.form == told
+    assert one is not None and one.form == form
 
 
-def test_components_of_one_part_and_size_are_alike():
+def test_components_of_one_part_and_size_are_similar():
     sizes = ((0, 0.3), (0, 0.1), (1, 0.1), (0, 0.105))
     components = [component_of(upright(half, half, half), part) for part, half in sizes]
     assert sorted(map(sorted, similar_groups(components))) == [[0], [1, 3], [2]]

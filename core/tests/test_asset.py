@@ -49,8 +49,8 @@ def folder(parts, tmp_path: Path) -> Path:
 
 def test_place() -> None:
     verts, _ = torus()
-    stood = place(verts * 7 + torch.tensor([3.0, -2, 9]))
-    low, high = stood.amin(0), stood.amax(0)
+    placed = place(verts * 7 + torch.tensor([3.0, -2, 9]))
+    low, high = placed.amin(0), placed.amax(0)
     assert (high - low).max() == pytest.approx(1)
     assert low[2] == pytest.approx(0, abs=1e-6)
     torch.testing.assert_close((low + high)[:2], torch.zeros(2), atol=1e-6, rtol=0)
@@ -74,19 +74,19 @@ def test_a_run_folder_will_do(folder: Path) -> None:
 
 
 def test_asset_json_tells_all(folder: Path, parts) -> None:
-    told = json.loads((folder / "asset.json").read_text())
-    assert told["version"] == 1
-    assert told["prompt"] == INFO["prompt"]
-    assert told["timings"] == INFO["timings"]
-    assert told["size_m"] == pytest.approx(1)
-    assert told["mesh"]["closed"]
-    assert told["mesh"]["genus"] == 1
-    assert told["mesh"]["faces"] == len(parts[0].faces)
+    result = json.loads((folder / "asset.json").read_text())
+    assert result["version"] == 1
+    assert result["prompt"] == INFO["prompt"]
+    assert result["timings"] == INFO["timings"]
+    assert result["size_m"] == pytest.approx(1)
+    assert result["mesh"]["closed"]
+    assert result["mesh"]["genus"] == 1
+    assert result["mesh"]["faces"] == len(parts[0].faces)
     there = {path.name for path in folder.iterdir()}
-    assert set(told["files"]) == there - {"asset.json"}
-    assert told["files"]["base_color.png"]["color_space"] == "sRGB"
-    assert told["files"]["normal.png"]["convention"] == "OpenGL"
-    assert told["files"]["orm.png"]["channels"] == "occlusion, roughness, metallic"
+    assert set(result["files"]) == there - {"asset.json"}
+    assert result["files"]["base_color.png"]["color_space"] == "sRGB"
+    assert result["files"]["normal.png"]["convention"] == "OpenGL"
+    assert result["files"]["orm.png"]["channels"] == "occlusion, roughness, metallic"
 
 
 @pytest.fixture(scope="module")
@@ -108,11 +108,11 @@ def test_what_glows_and_what_is_clear_reads_back_with_its_strength(lit_folder: P
     back = read_asset(lit_folder).maps
     for role, to_bytes in (("emission", images.srgb_bytes), ("transmission", images.unit_bytes)):
         assert (to_bytes(getattr(back, role)) == to_bytes(getattr(lit_maps, role))).all()
-    told = json.loads((lit_folder / "asset.json").read_text())
-    emission, transmission = (told["files"][f"{role}.png"] for role in module.OPTIONAL)
+    result = json.loads((lit_folder / "asset.json").read_text())
+    emission, transmission = (result["files"][f"{role}.png"] for role in module.OPTIONAL)
     assert (emission["color_space"], emission["strength"]) == ("sRGB", module.EMISSION_STRENGTH)
     assert (transmission["color_space"], transmission["ior"]) == ("Non-Color", module.IOR)
-    assert {"emission.png", "transmission.png"} <= told["hashes"].keys()
+    assert {"emission.png", "transmission.png"} <= result["hashes"].keys()
     assert images.read_png(lit_folder / "transmission.png").shape == (64, 64, 1)
 
 
@@ -132,29 +132,29 @@ def test_an_asset_from_before_these_maps_is_read_and_a_lost_one_is_refused(lit_f
     (lit_folder / "emission.png").unlink()
     with pytest.raises(UserError, match="emission.png"):
         read_asset(lit_folder)
-    told = json.loads((lit_folder / "asset.json").read_text())
-    del told["files"]
-    (lit_folder / "asset.json").write_text(json.dumps(told))
+    result = json.loads((lit_folder / "asset.json").read_text())
+    del result["files"]
+    (lit_folder / "asset.json").write_text(json.dumps(result))
     maps = read_asset(lit_folder).maps
     assert maps.emission is maps.transmission is None
 
 
-def test_the_glb_says_what_glows_and_what_is_clear(lit_folder: Path, folder: Path) -> None:
-    told, data = read_glb(lit_folder / "asset.glb")
-    (material,) = told["materials"]
+def test_the_glb_states_what_glows_and_what_is_clear(lit_folder: Path, folder: Path) -> None:
+    result, data = read_glb(lit_folder / "asset.glb")
+    (material,) = result["materials"]
     more = material["extensions"]
     assert material["emissiveFactor"] == [1, 1, 1]
     strength = more["KHR_materials_emissive_strength"]["emissiveStrength"]
     assert strength == module.EMISSION_STRENGTH
     assert more["KHR_materials_transmission"]["transmissionFactor"] == 1
     assert more["KHR_materials_ior"]["ior"] == module.IOR
-    assert set(told["extensionsUsed"]) == set(more)
+    assert set(result["extensionsUsed"]) == set(more)
     textures = {
         "emission": material["emissiveTexture"],
         "transmission": more["KHR_materials_transmission"]["transmissionTexture"],
     }
     for role, texture in textures.items():
-        view = told["bufferViews"][told["images"][texture["index"]]["bufferView"]]
+        view = result["bufferViews"][result["images"][texture["index"]]["bufferView"]]
         start = view["byteOffset"]
         picture = (lit_folder / f"{role}.png").read_bytes()
         assert data[start : start + view["byteLength"]] == picture
@@ -198,16 +198,16 @@ def read_glb(path: Path) -> tuple[dict, bytes]:
     assert (magic, version, length) == (b"glTF", 2, len(data))
     size, kind = struct.unpack_from("<I4s", data, 12)
     assert kind == b"JSON"
-    told = json.loads(data[20 : 20 + size])
+    result = json.loads(data[20 : 20 + size])
     rest, kind = struct.unpack_from("<I4s", data, 20 + size)
     assert kind == b"BIN\0"
     assert 28 + size + rest == len(data)
-    return told, data[28 + size :]
+    return result, data[28 + size :]
 
 
-def accessor(told: dict, data: bytes, index: int) -> np.ndarray:
-    entry = told["accessors"][index]
-    view = told["bufferViews"][entry["bufferView"]]
+def accessor(result: dict, data: bytes, index: int) -> np.ndarray:
+    entry = result["accessors"][index]
+    view = result["bufferViews"][entry["bufferView"]]
     assert view["byteOffset"] % 4 == 0
     width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[entry["type"]]
     dtype = {5126: "<f4", 5125: "<u4"}[entry["componentType"]]
@@ -218,10 +218,10 @@ def accessor(told: dict, data: bytes, index: int) -> np.ndarray:
 def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
     """Position, uv, normal and tangent of every corner, in glTF's axes."""
     verts, faces, uv, face_uvs = arrays(parts[0])
-    told, data = read_glb(folder / "asset.glb")
-    primitive = told["meshes"][0]["primitives"][0]
-    index = accessor(told, data, primitive["indices"])[:, 0]
-    got = {k: accessor(told, data, i)[index] for k, i in primitive["attributes"].items()}
+    result, data = read_glb(folder / "asset.glb")
+    primitive = result["meshes"][0]["primitives"][0]
+    index = accessor(result, data, primitive["indices"])[:, 0]
+    got = {k: accessor(result, data, i)[index] for k, i in primitive["attributes"].items()}
     want = verts[faces].reshape(-1, 3).numpy()
     assert np.array_equal(got["POSITION"], want[:, [0, 2, 1]] * np.float32([1, 1, -1]))
     at = uv[face_uvs].reshape(-1, 2).numpy()
@@ -229,9 +229,9 @@ def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
     assert np.allclose(np.linalg.norm(got["NORMAL"], axis=1), 1, atol=1e-5)
     assert np.abs((got["NORMAL"] * got["TANGENT"][:, :3]).sum(1)).max() < 1e-5
     assert len(np.unique(got["POSITION"], axis=0)) == len(verts)
-    count = told["accessors"][primitive["attributes"]["POSITION"]]["count"]
+    count = result["accessors"][primitive["attributes"]["POSITION"]]["count"]
     assert len(verts) < count < 1.3 * len(verts)  # split at the seams only
-    entry = told["accessors"][primitive["attributes"]["POSITION"]]
+    entry = result["accessors"][primitive["attributes"]["POSITION"]]
     assert entry["min"] == got["POSITION"].min(0).tolist()
 
 
@@ -253,21 +253,21 @@ def test_glb_shows_both_sides_of_an_open_mesh_only(parts, tmp_path: Path) -> Non
     }
     sides = {}
     for name, case in cases.items():
-        told, _ = read_glb(write_asset(tmp_path / name, case, maps, INFO) / "asset.glb")
-        sides[name] = told["materials"][0].get("doubleSided", False)
+        result, _ = read_glb(write_asset(tmp_path / name, case, maps, INFO) / "asset.glb")
+        sides[name] = result["materials"][0].get("doubleSided", False)
     assert sides == {"closed": False, "cut": False, "open": True, "inward": True}
 
 
 def test_glb_textures_are_the_files(folder: Path) -> None:
-    told, data = read_glb(folder / "asset.glb")
-    for image in told["images"]:
-        view = told["bufferViews"][image["bufferView"]]
+    result, data = read_glb(folder / "asset.glb")
+    for image in result["images"]:
+        view = result["bufferViews"][image["bufferView"]]
         held = data[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
         assert held == (folder / f"{image['name']}.png").read_bytes()
-    material = told["materials"][0]
-    assert told["images"][material["normalTexture"]["index"]]["name"] == "normal"
+    material = result["materials"][0]
+    assert result["images"][material["normalTexture"]["index"]]["name"] == "normal"
     orm = material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"]
-    assert told["images"][orm]["name"] == "orm"
+    assert result["images"][orm]["name"] == "orm"
     assert material["occlusionTexture"]["index"] == orm
 
 
@@ -393,7 +393,7 @@ def break_asset(folder: Path, what: str) -> None:
         ("size", "the size of base_color.png"),
     ],
 )
-def test_broken_assets_are_told(folder: Path, what: str, words: str) -> None:
+def test_broken_assets_are_reported(folder: Path, what: str, words: str) -> None:
     break_asset(folder, what)
     with pytest.raises(UserError, match=words) as caught:
         read_asset(folder)
@@ -419,7 +419,7 @@ def test_a_strange_asset_json_is_one_sentence(folder: Path, text: "str | bytes")
     assert error.value.fix
 
 
-def test_no_asset_is_told(tmp_path: Path) -> None:
+def test_no_asset_is_reported(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="is not an asset"):
         read_asset(tmp_path)
     (tmp_path / "job.json").write_text("{}")
@@ -429,10 +429,10 @@ def test_no_asset_is_told(tmp_path: Path) -> None:
 
 
 def test_inspect(folder: Path, parts) -> None:
-    told = inspect(folder)
-    assert told["mesh"] == health(parts[0].verts, parts[0].faces) | uv_health(parts[0])
-    assert told["texture_size"] == [64, 64]
-    assert json.loads(json.dumps(told)) == told
+    result = inspect(folder)
+    assert result["mesh"] == health(parts[0].verts, parts[0].faces) | uv_health(parts[0])
+    assert result["texture_size"] == [64, 64]
+    assert json.loads(json.dumps(result)) == result
     mesh = inspect(folder / "mesh.obj")
     assert mesh["mesh"]["genus"] == 1
     assert mesh["uv"]
@@ -458,9 +458,9 @@ def test_export(folder: Path, tmp_path: Path) -> None:
 def test_plain_obj(tmp_path: Path) -> None:
     verts, faces = torus()
     write_plain_obj(tmp_path / "shape.obj", verts, faces)
-    told = inspect(tmp_path / "shape.obj")
-    assert told["mesh"]["genus"] == 1
-    assert told["mesh"]["volume"] == pytest.approx(health(verts, faces)["volume"], rel=1e-4)
+    result = inspect(tmp_path / "shape.obj")
+    assert result["mesh"]["genus"] == 1
+    assert result["mesh"]["volume"] == pytest.approx(health(verts, faces)["volume"], rel=1e-4)
 
 
 def test_a_closed_asset_of_known_density_has_its_mass(tmp_path: Path) -> None:
@@ -558,7 +558,9 @@ def test_an_open_mesh_is_not_printed(parts, tmp_path: Path) -> None:
         export(folder, "stl", tmp_path / "open.stl")
 
 
-def test_a_mesh_with_a_turned_face_is_not_printed_and_that_is_said(parts, tmp_path: Path) -> None:
+def test_a_mesh_with_a_turned_face_is_not_printed_and_that_is_reported(
+    parts, tmp_path: Path
+) -> None:
     mesh, _ = parts
     turned = torch.cat([mesh.faces[:1].flip(1), mesh.faces[1:]])
     write_plain_obj(tmp_path / "turned.obj", mesh.verts, turned)

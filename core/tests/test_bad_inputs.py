@@ -88,7 +88,7 @@ def ordinary_user(line: str) -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def seen() -> dict[Path, dict[str, tuple[int, int]]]:
-    """What lay in the folder after the last line, which is what lies in it before the next."""
+    """The folder's contents after the last line, and so before the next."""
     return {}
 
 
@@ -123,8 +123,8 @@ def test_a_bad_input_is_one_sentence_and_its_exit_code(
     assert part in str(error)
     assert error.text and error.fix, "what was got, and what to do"
     assert len(str(error)) < 2000
-    said = capsys.readouterr().err
-    assert said.startswith("error: ") and said.count("\n") == 1, said
+    output = capsys.readouterr().err
+    assert output.startswith("error: ") and output.count("\n") == 1, output
     # A run that exists reports in its own folder: its lock, its events, its log.
     own = re.compile(re.escape(str(folder)) + r"/run-[\w-]+(/(lock|events.jsonl))?")
     after = seen[folder] = listed(folder)

@@ -1,4 +1,4 @@
-"""The maps say of every point of the surface what the material said."""
+"""The maps have the material's values at every point of the surface."""
 
 import pytest
 import torch
@@ -176,7 +176,7 @@ def test_progress_grows_and_can_stop() -> None:
         bake(Mesh(*torus_mesh()), smooth_material, 64, stop)
 
 
-def test_uv_without_area_are_told() -> None:
+def test_uv_without_area_are_reported() -> None:
     verts, faces, uv, face_uvs = torus_mesh()
     with pytest.raises(UserError, match="No texel"):
         bake(Mesh(verts, faces, uv * 0 + 0.5, face_uvs), smooth_material, 64)

@@ -89,8 +89,8 @@ def test_a_comma_separates_nothing_in_a_table_of_tabs(tmp_path):
     assert row.prompt == "a red, wooden chair"
 
 
-def test_a_folder_beside_the_table_is_no_picture_and_no_light(tmp_path):
-    """``mesh`` is the mesh's own colours, also where the meshes lie in a folder of that name."""
+def test_a_folder_next_to_the_table_is_no_picture_and_no_light(tmp_path):
+    """``mesh`` is the mesh's own colours, also where the meshes are in a folder of that name."""
     for name in ("mesh", "studio", "model"):
         (tmp_path / name).mkdir()
     (tmp_path / "mesh" / "m.obj").write_text("")
@@ -186,7 +186,7 @@ def test_a_file_counts_by_what_it_holds(tmp_path):
         file.write_text(text)
     a, b, c = map(digest, jobs)
     assert missing != a == b != c
-    files[0].write_text("v 2 0 0 # written anew while this process runs")
+    files[0].write_text("v 2 0 0 # written again while this process runs")
     assert digest(jobs[0]) not in (missing, a, c)
 
 
@@ -245,9 +245,9 @@ def test_what_fails_has_a_code_of_its_own_and_the_rest_is_made(table, tmp_path, 
     assert unknown["text"] == "There is no noun 'unknown'. Say chair."
     assert chair["state"] == "failed" and "Line 3" in chair["text"] and "'x'" in chair["text"]
     assert mug["state"] == "done"
-    said = capsys.readouterr().err
-    assert "error: 2 of 3 assets were not made." in said and "Traceback" not in said
-    assert "1 of 3 done, 0 running, 2 failed" in said
+    output = capsys.readouterr().err
+    assert "error: 2 of 3 assets were not made." in output and "Traceback" not in output
+    assert "1 of 3 done, 0 running, 2 failed" in output
 
 
 def test_what_dies_goes_on_from_its_checkpoint(table, tmp_path):
@@ -257,7 +257,7 @@ def test_what_dies_goes_on_from_its_checkpoint(table, tmp_path):
     assert sessions(tmp_path / "out" / row["folder"]) == [0, 2]
 
 
-def test_no_room_is_told_once_and_waited_for(table, tmp_path, monkeypatch, capsys):
+def test_no_room_is_reported_once_and_waited_for(table, tmp_path, monkeypatch, capsys):
     """A cluster's nodes may all be too small, until one joins."""
 
     class Small(LocalPool):
@@ -270,8 +270,8 @@ def test_no_room_is_told_once_and_waited_for(table, tmp_path, monkeypatch, capsy
 
     monkeypatch.setattr(batch, "LocalPool", partial(Small, command=FAKE))
     assert main(["batch", *table("a chair\n", "t.txt")]) == 0
-    said = capsys.readouterr().err
-    assert said.count("No node has room for an asset (1 core, 1.5 GB of memory); waiting") == 1
+    output = capsys.readouterr().err
+    assert output.count("No node has room for an asset (1 core, 1.5 GB of memory); waiting") == 1
 
 
 def test_retries_end(table, tmp_path):
@@ -293,8 +293,8 @@ def test_out_of_memory_is_tried_again_with_smaller_parts(table, tmp_path):
     assert report(tmp_path)[0]["attempts"] == "0"
 
 
-def test_a_later_call_says_with_how_much_memory_and_where(table, tmp_path):
-    """Which the names of the folders do not tell, as the result is the same."""
+def test_a_later_call_states_with_how_much_memory_and_where(table, tmp_path):
+    """The names of the folders do not show it, as the result is the same."""
     argv = table("a chair that dies\n", "t.txt")
     assert main(["batch", *argv, "--retries", "0"]) == 6
     (row,) = report(tmp_path)
@@ -397,9 +397,9 @@ def test_ctrl_c_leaves_all_resumable(table, tmp_path, monkeypatch, capsys):
 
     threading.Thread(target=interrupt).start()
     assert main(["batch", *argv, "--at-once", "2"]) == 130
-    said = capsys.readouterr().err
-    assert said.count("Stopping after the present step") == 1
-    assert "0 of 3 are done. The same command continues it" in said
+    output = capsys.readouterr().err
+    assert output.count("Stopping after the present step") == 1
+    assert "0 of 3 are done. The same command continues it" in output
     assert [r["state"] for r in report(tmp_path)] == ["unfinished", "unfinished", "missing"]
     assert main(["batch", *argv, "--at-once", "2"]) == 0
     starts = [sessions(tmp_path / "out" / r["folder"]) for r in report(tmp_path)]
@@ -475,8 +475,8 @@ def test_two_calls_at_once_do_not_mix(table, tmp_path, capsys):
 )
 def test_a_wrong_option_is_one_sentence(table, more, words, capsys):
     assert main(["batch", *table("a chair\n", "t.txt"), *more]) == 2
-    said = capsys.readouterr().err
-    assert words in said and said.count("\n") == 1
+    output = capsys.readouterr().err
+    assert words in output and output.count("\n") == 1
 
 
 # The page

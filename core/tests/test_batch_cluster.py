@@ -1,4 +1,4 @@
-"""A batch on a Ray cluster of two nodes on loopback, one of which is killed.
+"""A batch on a Ray cluster of two nodes on loopback; one of them is killed.
 
 Needs ``run.py setup ray``; run it with ``-m slow``.
 """

@@ -47,10 +47,10 @@ def test_a_short_bench_is_scored_written_and_not_made_again(tmp_path, monkeypatc
     out = tmp_path / "table.json"
     bench_distillation(["ball"], small, 4, tmp_path / "runs", out)
     assert len(asked) == len(METHODS) * 4
-    said, table = capsys.readouterr().out, json.loads(out.read_text())
+    output, table = capsys.readouterr().out, json.loads(out.read_text())
     assert [(run["stage"], run["method"]) for run in table["runs"]] == list(METHODS)
     assert all(not run["failure"] for run in table["runs"])
-    assert "appearance sdi, of 1 nouns: dE, mean" in said
+    assert "appearance sdi, of 1 nouns: dE, mean" in output
     for stage, method in METHODS:
         assert (tmp_path / "runs" / "ball" / f"{stage}-{method}" / "job.json").exists()
     asked.clear()

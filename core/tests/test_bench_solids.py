@@ -48,17 +48,17 @@ def test_a_drawn_mug_is_like_a_mug(monkeypatch):
     assert scores["missing"] <= scores["usual_missing"] + 0.03
     assert scores["pieces"] >= 0.85
     assert scores["cpu_s"] > 0
-    # Once more with references that are told apart wrongly; the shape and its likeness are kept.
+    # Once more with wrongly distinguished references; the shape and its likeness are kept.
     wrong = {"bed": references["mug"], "tower": references["tower"], "mug": references["bed"]}
     (made,) = drawn
     monkeypatch.setattr(bench, "assembled", lambda *_: made)
     monkeypatch.setattr(Surface, "of_mesh", lambda *_: None)
     monkeypatch.setattr(bench, "likeness", lambda *_: {})
     monkeypatch.setattr(bench, "variety", lambda drawn, own: (len(drawn), len(own)))
-    told = solid_scores(guidance, "mug", 1, wrong)
-    assert (told["first"], told["first_five"]) == (0, 1)
-    assert "bed" in told["nearer"]
-    assert told["variety"] == (2, 2)  # though one is put together
+    report = solid_scores(guidance, "mug", 1, wrong)
+    assert (report["first"], report["first_five"]) == (0, 1)
+    assert "bed" in report["nearer"]
+    assert report["variety"] == (2, 2)  # though one is put together
 
 
 def test_the_summary_counts_nouns():

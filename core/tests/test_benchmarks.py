@@ -35,7 +35,7 @@ def test_time_is_the_processes_own() -> None:
     assert least_ms(lambda: time.sleep(0.05), 1) < 25
 
 
-def test_line_says_which_way_the_target_lies() -> None:
+def test_line_shows_which_way_the_target_is() -> None:
     assert table_line({"part": "a"} | row("b", 1.0, "ms", 2.0)).endswith("ms  (at most 2)")
     assert table_line({"part": "a"} | row("b", 1.0, "", 0.5, at_least=True)).endswith(
         "(at least 0.5)"
@@ -60,8 +60,8 @@ def test_unknown_part_is_named() -> None:
     assert all(part in error.value.fix for part in benchmarks.PARTS)
 
 
-def test_a_step_beside_a_network_runs_on_any_device(monkeypatch: pytest.MonkeyPatch) -> None:
-    # By what is done, since the clock of a busy machine tells nothing: a view that is rendered
+def test_a_step_next_to_a_network_runs_on_any_device(monkeypatch: pytest.MonkeyPatch) -> None:
+    # By what is done, since the clock of a busy machine is no measure: a view that is rendered
     # counts 1, a latent that the network predicts 100.
     done = 0.0
 

@@ -78,8 +78,8 @@ def test_a_quadratic_displacement_bends_by_its_second_derivative() -> None:
     controls = torch.zeros(CONTROLS, CONTROLS, CONTROLS, 3)
     controls[..., 2] = knots()[..., 0].square() / 2
     cell = 2 * EXTENT / (CONTROLS - 3)
-    share = (CONTROLS - 2) / CONTROLS  # of the control points, that have one on either side
-    assert float(bending(controls)) == pytest.approx(share * cell**2, rel=1e-4)
+    fraction = (CONTROLS - 2) / CONTROLS  # of the control points, that have one on either side
+    assert float(bending(controls)) == pytest.approx(fraction * cell**2, rel=1e-4)
 
 
 def differ(bend: Bend, solid, target) -> float:

@@ -42,7 +42,7 @@ def places(count=4000, reach=1.2):
     return np.random.default_rng(0).uniform(-reach, reach, (count, 3))
 
 
-def lying(solid, axis, up):
+def turned(solid, axis, up):
     """The solid along an axis, its upper end towards this axis' end or its beginning."""
 
     def distance(p):
@@ -127,7 +127,7 @@ def test_a_lozenge_blade_is_the_same_on_both_sides_and_never_beyond_the_distance
 
 @pytest.mark.parametrize(("shape", "axis", "up"), CASES)
 def test_a_blade_is_found_again_with_the_point_that_a_network_rounds_off(shape, axis, up):
-    component = component_of(drawn(lying(lozenge_blade(*shape), axis, up)))
+    component = component_of(drawn(turned(lozenge_blade(*shape), axis, up)))
     one = blade(component)
     assert one is not None and one.fits(points_of(component), component.error)
     low, high, *_ = shape
@@ -139,7 +139,9 @@ def test_a_blade_is_found_again_with_the_point_that_a_network_rounds_off(shape, 
     assert end[axis] * up == pytest.approx(high, abs=0.05)
     wanted = primitive(shape).lengths
     np.testing.assert_allclose(one.lengths[[0, 1, 2, 4]], wanted[[0, 1, 2, 4]], rtol=0.07)
-    np.testing.assert_allclose(one.lengths[3], wanted[3], rtol=0.12)  # its tip's, told by the least
+    np.testing.assert_allclose(
+        one.lengths[3], wanted[3], rtol=0.12
+    )  # its tip's, known from the fewest points
 
 
 @pytest.mark.parametrize(("flat", "is_blade"), [(0.5, False), (0.66, True), (1.0, True)])

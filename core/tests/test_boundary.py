@@ -53,7 +53,7 @@ def files(package: str) -> Iterator[tuple[str, frozenset[str]]]:
 def test_a_package_imports_nothing_of_the_other_side(package):
     bad = {name: sorted(names & BANNED[package]) for name, names in files(package)}
     bad = {name: names for name, names in bad.items() if names}
-    assert not bad, f"{bad}: say it through the run folder (docs/architecture.md) instead"
+    assert not bad, f"{bad}: pass it through the run folder (docs/architecture.md) instead"
 
 
 @pytest.mark.parametrize("library", ONE_FILE)

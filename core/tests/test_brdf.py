@@ -141,7 +141,7 @@ def test_table_is_near_the_integral_between_its_nodes() -> None:
     assert float(error.mean()) < 0.001
 
 
-def test_table_has_the_gradient_of_what_it_says() -> None:
+def test_table_has_the_gradient_of_its_values() -> None:
     roughness = torch.tensor([[0.31], [0.62]], dtype=torch.float64, requires_grad=True)
     cos = torch.tensor([[0.4], [0.8]], dtype=torch.float64, requires_grad=True)
 

@@ -1,4 +1,4 @@
-"""Cameras: where they stand, what they see, how they are drawn."""
+"""Cameras: their places, their pictures, their random numbers."""
 
 import math
 

@@ -120,7 +120,7 @@ def test_a_tooth_goes_over_to_its_neighbours() -> None:
 
 
 def test_joining_stops_where_the_surface_turns(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ten pieces of a strip that bends by 20 degrees from each to the next: a part spans 140."""
+    """Ten segments of a strip that bends by 20 degrees from each to the next: a part spans 140."""
     monkeypatch.setattr(module, "LARGEST_JOINED", 1.0)
     faces = strip(10)[1]
     adjacent, part = neighbours(faces), np.tile(np.arange(10), 2)

@@ -28,7 +28,7 @@ def scaled(kind):
         (bytes, 2, b"a", "a"),  # other classes have checks of their own: arguments, result
     ],
 )
-def test_a_check_is_made_once_for_functions_that_are_alike(kind, made, right, wrong):
+def test_a_check_is_made_once_for_functions_with_equal_signatures(kind, made, right, wrong):
     scaled(Tensor)(torch.ones(1), 1)
     before = len(checked._made)
     functions = scaled(kind), scaled(kind)
@@ -42,7 +42,7 @@ def test_a_check_is_made_once_for_functions_that_are_alike(kind, made, right, wr
 
 def test_the_cores_functions_are_checked_and_those_within_them():
     for _ in range(2):
-        solid = box((0, 0, 0), (1.0, 1, 1))  # an int may stand for a float
+        solid = box((0, 0, 0), (1.0, 1, 1))  # an int is accepted as a float
         assert solid(torch.zeros(1, 3)) == -1
         with pytest.raises(TypeCheckError):
             solid([0.0, 0.0, 0.0])

@@ -11,10 +11,10 @@ from core.errors import UserError
 
 def wrong(capsys, *argv):
     status = main(list(argv))
-    said = capsys.readouterr()
-    assert "Traceback" not in said.err and said.err.count("\n") == 1, said.err
-    assert said.out == ""
-    return status, said.err
+    output = capsys.readouterr()
+    assert "Traceback" not in output.err and output.err.count("\n") == 1, output.err
+    assert output.out == ""
+    return status, output.err
 
 
 @pytest.mark.parametrize(
@@ -63,8 +63,8 @@ def wrong(capsys, *argv):
 )
 def test_what_is_wrong_is_one_sentence_with_status_2(argv, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    status, said = wrong(capsys, *argv)
-    assert status in (2, 3) and words in said, said
+    status, output = wrong(capsys, *argv)
+    assert status in (2, 3) and words in output, output
     assert list(tmp_path.iterdir()) == []
 
 
@@ -124,7 +124,7 @@ def test_an_unknown_option_without_a_near_one_points_to_the_help():
         parse(["inspect", "x", "--qqqqqq"])
 
 
-def test_a_run_whose_job_is_wrong_says_so_in_its_events(tmp_path, capsys):
+def test_a_run_whose_job_is_wrong_states_so_in_its_events(tmp_path, capsys):
     """What the add-on wrote is checked like what a user typed."""
     job = {"version": 1, "prompt": "a chair", "preset": "fast"}
     (tmp_path / "job.json").write_text(json.dumps(job))

@@ -31,7 +31,7 @@ def test_a_board_between_the_nodes_is_one_component_and_what_is_only_near_is_non
 
 
 def boards(gap, *halves):
-    """Boards one beside the other along x, so far apart."""
+    """Boards side by side along x, so far apart."""
 
     def at(points):
         left, each = -sum(halves) - gap * (len(halves) - 1) / 2, []
@@ -64,7 +64,7 @@ def test_components_that_only_the_lattice_of_all_joins_are_each_drawn():
         np.testing.assert_allclose(component.primitive.lengths[:3], (0.2, 0.3, 0.1), atol=0.01)
 
 
-def test_a_crumb_beside_two_components_is_none():
+def test_a_crumb_next_to_two_components_is_none():
     some = boards(0.016, 0.2, 0.2, 0.03)
     (place,) = places_of(some, 1)
     assert len(list(drawn_in(some, place))) == 2

@@ -1,4 +1,4 @@
-"""Settings: presets, --set, and what is said about a wrong one."""
+"""Settings: presets, --set, and the error for a wrong one."""
 
 import dataclasses
 from dataclasses import fields, replace
@@ -76,7 +76,7 @@ def test_a_wrong_setting_is_named_with_its_fix(key, value, words):
     assert caught.value.status == 2
 
 
-def test_the_paper_preset_says_what_the_paper_says():
+def test_the_paper_preset_has_the_papers_values():
     """ "Implementation Details": 24 views, rates, widths, w(t) by phase."""
     paper = preset("paper")
     assert (paper.geometry.views, paper.appearance.views) == (24, 24)

@@ -41,8 +41,8 @@ def off_the_box(verts: torch.Tensor) -> torch.Tensor:
 def turned(verts: torch.Tensor, faces: torch.Tensor) -> int:
     """Faces that look away from a neighbour."""
     area, normal = areas_and_normals(verts.double().numpy(), faces.numpy())
-    beside = neighbours(faces.numpy())
-    cosine = (normal[beside] * normal[:, None]).sum(-1)
+    adjacent = neighbours(faces.numpy())
+    cosine = (normal[adjacent] * normal[:, None]).sum(-1)
     return int(((cosine < -0.5).any(1) & (area > 1e-9)).sum())
 
 

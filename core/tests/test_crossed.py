@@ -24,7 +24,7 @@ def fins(p):
 
 
 def tail(p):
-    """A board that lies, and a fin on it."""
+    """A flat board, and a fin on it."""
     board = box(p, (0.0, 0.0, -0.3), (0.7, 0.25, 0.06))
     slope = np.maximum(np.abs(p[:, 0]) - 0.06, (np.abs(p[:, 1]) + 0.4 * p[:, 2] - 0.2) / 1.08)
     return np.minimum(board, np.maximum(slope, np.abs(p[:, 2] - 0.1) - 0.4))

@@ -53,7 +53,7 @@ def test_every_command_that_is_named_exists(path):
 
 
 def test_the_clouds_commands_need_no_path():
-    """Ray's launcher runs them in a login shell, whose profile (Debian's) sets PATH anew."""
+    """Ray's launcher runs them in a login shell, whose profile (Debian's) sets PATH again."""
     text = (DEPLOY / "cluster-cloud.yaml").read_text()
     commands = re.findall(r"(\S*)\bray (?:stop|start)", text)
     (env,) = re.findall(r"FANTASIA3D_ENV=(\S+)", (DEPLOY / "Dockerfile").read_text())

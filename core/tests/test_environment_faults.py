@@ -121,7 +121,7 @@ def bare(tmp_path, monkeypatch):
 
 
 def test_a_report_has_the_panels_runs_and_half_a_surrogate_pair(bare):
-    """Those of an extension and of a plain module lie in Blender's own folders."""
+    """Those of an extension and of a plain module are in Blender's own folders."""
     folder = report._blender_folder() / "4.5"
     for place in ("extensions/.user/user_default/fantasia3d", "datafiles/fantasia3d"):
         run = folder / place / "runs" / "20261127-chair"

@@ -84,15 +84,15 @@ def test_an_interpreter_that_cannot_do_the_work_is_refused(box, program, lacks, 
         box.ensure("blender")
 
 
-def test_doctor_says_that_a_program_is_no_python(box):
+def test_doctor_states_that_a_program_is_no_python(box):
     box.patch.setenv("FANTASIA3D_PYTHON", "/bin/true")
     lines = {line.name: line for line in environment.examine(box.root)}
     assert lines["packages"].state == "MISSING"
     assert "/bin/true is not a Python" in lines["packages"].text
-    assert "FANTASIA3D_PYTHON" in lines["packages"].text, "a set-up would not mend it"
+    assert "FANTASIA3D_PYTHON" in lines["packages"].text, "a set-up would not fix it"
 
 
-def test_a_wheel_folder_that_is_not_there_is_said_first(box):
+def test_a_wheel_folder_that_is_not_there_is_reported_first(box):
     box.patch.setenv("FANTASIA3D_WHEELS", str(box.folder / "none"))
     with pytest.raises(environment.SetupError, match="wheel folder .*none does not exist"):
         box.ensure()
@@ -222,9 +222,9 @@ def test_without_a_module_and_without_blender_a_sentence_names_what_helps(box, b
     box.patch.setattr(run, "ROOT", box.root)
     box.patch.setenv("FANTASIA3D_BLENDER", "no-such-blender")
     assert run.main(["relight", "asset", "--render", "a.png"]) == 3
-    said = capsys.readouterr().err
-    assert "no Blender module (bpy) for Python 3.12, and no program no-such-blender" in said
-    assert "Install Blender 4.2 or later" in said
+    output = capsys.readouterr().err
+    assert "no Blender module (bpy) for Python 3.12, and no program no-such-blender" in output
+    assert "Install Blender 4.2 or later" in output
 
 
 def test_doctor_names_the_blender_that_is_used_instead_of_a_module(box, blender):
@@ -263,10 +263,10 @@ def test_pythons_are_sought_on_the_path_and_in_pyenv_and_blenders_own_comes_last
 def test_no_python_is_status_3(box, capsys):
     box.patch.setattr(machine, "python_candidates", lambda: iter(()))
     assert run.main(["setup"]) == 3
-    said = capsys.readouterr().err
-    assert "Python 3.11, 3.12 or 3.13 is not on this machine" in said
-    assert "Install one" in said
-    assert "Traceback" not in said
+    output = capsys.readouterr().err
+    assert "Python 3.11, 3.12 or 3.13 is not on this machine" in output
+    assert "Install one" in output
+    assert "Traceback" not in output
 
 
 # The set-up
@@ -290,7 +290,7 @@ def test_a_group_is_added_to_what_is_there_and_the_cores_pins_hold(box):
     assert box.log == [*before, "install torch==2.13.0 bpy==4.5.15"]
 
 
-def test_a_changed_group_is_installed_again_and_a_changed_core_makes_all_anew(box):
+def test_a_changed_group_is_installed_again_and_a_changed_core_makes_all_again(box):
     box.patch.setenv("FANTASIA3D_ENV", str(box.folder / "my env"))
     box.ensure("blender")
     box.pin("torch==2.13.0", blender="bpy==5")
@@ -302,14 +302,14 @@ def test_a_changed_group_is_installed_again_and_a_changed_core_makes_all_anew(bo
     assert not (box.env / "old").exists()
 
 
-def test_an_environment_whose_python_has_gone_is_made_anew(box):
+def test_an_environment_whose_python_has_gone_is_made_again(box):
     (box.ensure("blender")).unlink()
     assert environment.lacking(box.env, box.root, ("blender",)) == ["core", "blender"]
     assert box.ensure("blender").exists()
     assert box.count("venv") == 2
 
 
-def test_renew_makes_all_anew(box):
+def test_renew_makes_all_again(box):
     box.ensure()
     (box.env / "old").touch()
     box.ensure(renew=True)
@@ -328,7 +328,7 @@ def test_a_folder_of_the_users_is_left_alone(box):
 
 
 @pytest.mark.parametrize(
-    ("says", "sentence"),
+    ("output", "sentence"),
     [
         (NO_NETWORK, "registry cannot be reached"),
         ("ERROR: No matching distribution found for bpy==4.5.15", "no package bpy==4.5.15"),
@@ -357,28 +357,28 @@ def test_a_folder_of_the_users_is_left_alone(box):
         ("noise\nERROR: the moon is full\nmore noise", r"ERROR: the moon is full"),
     ],
 )
-def test_a_failed_set_up_says_why_and_leaves_nothing(box, says, sentence):
-    box.patch.setenv("FAKE_SAYS", says)
+def test_a_failed_set_up_states_why_and_leaves_nothing(box, output, sentence):
+    box.patch.setenv("FAKE_OUTPUT", output)
     with pytest.raises(environment.SetupError, match=sentence) as caught:
         box.ensure()
     assert caught.value.status == 3
     log = environment.log_file(box.env)
     assert str(log) in caught.value.fix
-    assert says.splitlines()[0] in log.read_text(encoding="utf-8")
+    assert output.splitlines()[0] in log.read_text(encoding="utf-8")
     assert not box.env.exists()
-    box.patch.delenv("FAKE_SAYS")
-    assert box.ensure().exists(), "and the next one mends it"
+    box.patch.delenv("FAKE_OUTPUT")
+    assert box.ensure().exists(), "and the next one repairs it"
 
 
 def test_a_failed_group_leaves_the_core_whole(box):
     box.ensure()
-    box.patch.setenv("FAKE_SAYS", NO_NETWORK)
+    box.patch.setenv("FAKE_OUTPUT", NO_NETWORK)
     with pytest.raises(environment.SetupError):
         box.ensure("blender")
     assert environment.lacking(box.env, box.root, ("blender",)) == ["blender"]
 
 
-def test_too_little_disk_is_said_before_anything_is_done(box):
+def test_too_little_disk_is_reported_before_anything_is_done(box):
     usage = shutil.disk_usage(box.folder)
     box.patch.setattr(shutil, "disk_usage", lambda _: usage._replace(free=10**9))
     with pytest.raises(environment.SetupError, match=r"needs 1\.8 GB; .* has 1\.0 GB") as caught:
@@ -387,7 +387,7 @@ def test_too_little_disk_is_said_before_anything_is_done(box):
     assert not box.log
 
 
-def test_a_place_that_cannot_be_written_is_said(box):
+def test_a_place_that_cannot_be_written_is_reported(box):
     (box.folder / "file").touch()
     box.patch.setenv("FANTASIA3D_ENV", str(box.folder / "file" / "env"))
     with pytest.raises(environment.SetupError, match="cannot be written"):
@@ -395,7 +395,7 @@ def test_a_place_that_cannot_be_written_is_said(box):
 
 
 def test_ctrl_c_leaves_nothing_half_made(box):
-    def stop(text: str, share: float) -> None:
+    def stop(text: str, fraction: float) -> None:
         if "virtual environment" in text:
             raise KeyboardInterrupt
 
@@ -405,13 +405,13 @@ def test_ctrl_c_leaves_nothing_half_made(box):
 
 
 def test_a_killed_set_up_is_repaired_and_never_met_by_its_own_ghost(box):
-    """SIGKILL ends the set-up, pip goes on: the next set-up waits for it, then begins anew."""
+    """SIGKILL ends the set-up, pip goes on: the next set-up waits for it, then starts again."""
     box.patch.setenv("FAKE_SECONDS", "2")
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]); from pathlib import Path\n"
         "from fantasia3d_addon.environment import ensure, machine\n"
         "machine.python_candidates = lambda: iter([sys.argv[3]])\n"
-        "ensure(Path(sys.argv[2]), (), lambda text, share: None)"
+        "ensure(Path(sys.argv[2]), (), lambda text, fraction: None)"
     )
     command = [sys.executable, "-c", code, str(ROOT), str(box.root), str(box.python)]
     child = subprocess.Popen(command)
@@ -425,7 +425,7 @@ def test_a_killed_set_up_is_repaired_and_never_met_by_its_own_ghost(box):
     (box.env / "half-made").touch()
     box.patch.setenv("FAKE_SECONDS", "0")
     box.ensure()
-    assert "Another set-up" in box.said[0], "pip still held the lock"
+    assert "Another set-up" in box.messages[0], "pip still held the lock"
     assert not (box.env / "half-made").exists()
     assert environment.lacking(box.env, box.root) == []
 
@@ -520,7 +520,7 @@ def test_with_a_gpu_a_cpu_build_is_the_last_choice(box):
     box.pin("torch==2.13.0", torch=["torch==2.13.0+cu130"])
     box.patch.setenv("FAKE_UV", "exit 1")
     box.ensure()
-    assert [text for text in box.said if text.startswith("taking torch's CPU build")]
+    assert [text for text in box.messages if text.startswith("taking torch's CPU build")]
     assert box.count("target") == 1
 
 
@@ -537,8 +537,8 @@ def test_a_cuda_build_without_a_hash_is_never_taken(box, allowed):
     box.patch.setattr(machine, "has_nvidia", lambda: True)
     box.patch.setenv("FAKE_UV", UV.format(box.folder))
     box.ensure(allow_cuda=allowed)
-    (told,) = [text for text in box.said if text.startswith("taking torch's CPU build")]
-    assert "no hash for a +cu build" in told and "FANTASIA3D_PYTHON" in told
+    (message,) = [text for text in box.messages if text.startswith("taking torch's CPU build")]
+    assert "no hash for a +cu build" in message and "FANTASIA3D_PYTHON" in message
     assert box.count("target") == 0, "uv is not even fetched"
 
 
@@ -590,7 +590,7 @@ def test_a_wheel_folder_keeps_pip_off_the_network(box):
         ("Collecting torch", ""),
     ],
 )
-def test_large_downloads_are_told(line, step):
+def test_large_downloads_are_reported(line, step):
     assert pip_output.step_of(line) == (f"downloading {step}" if step else "")
 
 
@@ -607,13 +607,14 @@ def test_pips_sources_become_uvs():
 
 
 @pytest.mark.parametrize(
-    ("said", "version"), [("pip 23.0.1 from /x", (23, 0)), ("pip 26.3 from", (26, 3)), ("", (0, 0))]
+    ("output", "version"),
+    [("pip 23.0.1 from /x", (23, 0)), ("pip 26.3 from", (26, 3)), ("", (0, 0))],
 )
-def test_pips_version_is_read(said, version):
-    assert pip_output.pip_version(said) == version
+def test_pips_version_is_read(output, version):
+    assert pip_output.pip_version(output) == version
 
 
-def test_threads_sleep_while_they_wait_unless_the_user_says_otherwise(monkeypatch):
+def test_threads_sleep_while_they_wait_unless_the_user_states_otherwise(monkeypatch):
     monkeypatch.setenv("PYTHONPATH", "elsewhere")
     monkeypatch.delenv("OMP_WAIT_POLICY", raising=False)
     environ = environment.clean_environ()

@@ -99,7 +99,9 @@ def test_another_material_keeps_the_shape_to_the_last_byte(finished, tmp_path):
         (("resume", "{shapes}/candidate-1", "--until=night"), "--until is 'night'"),
     ],
 )
-def test_what_cannot_be_explored_is_said_and_writes_nothing(shapes, tmp_path, capsys, argv, text):
+def test_what_cannot_be_explored_is_reported_and_writes_nothing(
+    shapes, tmp_path, capsys, argv, text
+):
     places = {"new": tmp_path / "new", "shapes": shapes}
     assert main([word.format(**places) for word in argv]) == 2
     assert text in capsys.readouterr().err
@@ -142,6 +144,6 @@ def test_a_done_run_whose_shape_was_not_kept_is_not_to_be_resumed(shapes, tmp_pa
         (done / name).write_bytes((shapes / "candidate-1" / name).read_bytes())
     (done / "asset").mkdir()
     assert main(["recolor", str(done), "--out", str(tmp_path / "new")]) == 2
-    said = capsys.readouterr().err
-    assert "was not kept" in said and "resume" not in said
+    output = capsys.readouterr().err
+    assert "was not kept" in output and "resume" not in output
     assert not (tmp_path / "new").exists()

@@ -1,4 +1,4 @@
-"""What a mesh's faces say of it."""
+"""Properties of a mesh's faces."""
 
 import math
 

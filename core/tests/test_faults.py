@@ -20,7 +20,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="forks, and read
 
 
 def walked(**counts: str) -> list[dict]:
-    """What ``fault_runs`` tells."""
+    """The report of ``fault_runs``."""
     options = [word for name, count in counts.items() for word in (f"--{name}", count)]
     done = subprocess.run(
         [sys.executable, "-m", "core.tests.fault_runs", *options, "--seed", "1"],

@@ -1,4 +1,4 @@
-"""Every operation on a file fails once: what was there before stays whole, and a sentence says why.
+"""Every operation on a file fails once: the older file stays whole, and a sentence gives the cause.
 
 These are the files by themselves, each operation in turn; ``fault_runs`` walks whole runs.
 """
@@ -47,7 +47,7 @@ def walk(folder: Path, work: Callable[[], object], lasting: str = "-") -> list[s
     """Do ``work`` once in peace and once for each of its operations, which then fails.
 
     Whether it ends with a sentence or in spite of the error: the files are then those before it or
-    those after it, and nothing lies next to them but what begins with ``lasting``. And doing it
+    those after it, and nothing is next to them but what begins with ``lasting``. And doing it
     again ends as the first time. The operations.
     """
     before = contents(folder)
@@ -72,10 +72,10 @@ def _failed(folder: Path, i: int, number: int, work: Callable[[], object]) -> bo
         with Operations(folder, i, number).watched():
             work()
     except UserError as error:
-        said = error
+        output = error
     else:
         return True
-    assert said.status == 2 and said.text.endswith(".") and said.fix.endswith(".")
+    assert output.status == 2 and output.text.endswith(".") and output.fix.endswith(".")
     return False
 
 
@@ -237,7 +237,7 @@ def test_any_name_that_the_system_takes_can_be_written(tmp_path: Path, length: i
         out.unlink()
 
 
-def test_both_sides_name_their_temporary_files_alike(tmp_path: Path, monkeypatch) -> None:
+def test_both_sides_name_their_temporary_files_the_same_way(tmp_path: Path, monkeypatch) -> None:
     """The core removes what a killed Blender left of a job.json."""
     seen: list[str] = []
     monkeypatch.setattr(Path, "replace", lambda self, to: seen.append(self.name))

@@ -47,7 +47,7 @@ def block():
 
 @pytest.fixture(scope="module", autouse=True)
 def fewer() -> Iterator[None]:
-    """Half of the points, and a block's pieces and holes on a coarser lattice."""
+    """Half of the points, and a block's components and holes on a coarser lattice."""
     with (
         mock.patch.object(fit_scores, "MESH_POINTS", 30_000),
         mock.patch.object(fit_scores, "TRUTH_RESOLUTION", 48),
@@ -70,7 +70,9 @@ def meshes(block):
     return (verts.detach(), faces), sharp
 
 
-def test_a_lattice_beside_the_network_reaches_what_three_octaves_miss(block, truth, meshes) -> None:
+def test_a_lattice_next_to_the_network_reaches_what_three_octaves_miss(
+    block, truth, meshes
+) -> None:
     """By refining alone, from an ellipsoid."""
     soft, sharp = (scores(*mesh, truth) for mesh in (meshes[0], fitted(block, SHARP)))
     assert {"flat", "crease"} <= set(misses(soft))

@@ -113,7 +113,7 @@ def test_no_small_move_makes_it_more_rigid() -> None:
         assert min(energy(uv + wave), energy(uv - wave)) > 0.999 * energy(uv)
 
 
-def test_what_lies_face_down_is_unfolded() -> None:
+def test_what_is_face_down_is_unfolded() -> None:
     verts, faces = sheet()
     uv = verts[:, :2].copy()
     uv[85] += (0.2, 0.15)  # across its neighbours

@@ -1,4 +1,4 @@
-"""Faces of boxes that nearly lie in one plane do; others stay."""
+"""Faces of boxes that are nearly in one plane are moved into it; others stay."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Mutated files of every format: each reader gives what its signature says, or a UserError.
+"""Mutated files of every format: each reader returns its signature's type, or raises a UserError.
 
     pytest core/tests/test_fuzz.py                                   a few seconds
     FUZZ_COUNT=20000 pytest core/tests/test_fuzz.py -m slow -s       so many files of each format

@@ -79,14 +79,14 @@ def core(*argv: object) -> "subprocess.Popen[str]":
 
 
 def finished(process: "subprocess.Popen[str]") -> tuple[int, str]:
-    said = process.communicate(timeout=600)[0]
-    return process.returncode, said
+    output = process.communicate(timeout=600)[0]
+    return process.returncode, output
 
 
 @pytest.fixture
 def fork(tmp_path: Path) -> Callable[..., Session]:
     """A session that need not be a process from its very beginning."""
-    return lambda *argv, before="": Session.start(argv, tmp_path / "said.txt", before)
+    return lambda *argv, before="": Session.start(argv, tmp_path / "output.txt", before)
 
 
 def wait_for(run: Path, stage: str, step: int, seconds: float = 300) -> None:
@@ -107,10 +107,10 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     run = tmp_path_factory.mktemp("ein Lauf ü") / "rot"
     record = recorder(run.parent / "recorder")
     line = ("generate", "a red torus", "--out", run, *OPTIONS)
-    session = Session.start(line, run.parent / "said.txt", before=alone_here(record))
-    status, said = session.finished()
-    assert status == 0, said
-    assert said.splitlines()[-1] == str(run / "asset")
+    session = Session.start(line, run.parent / "output.txt", before=alone_here(record))
+    status, output = session.finished()
+    assert status == 0, output
+    assert output.splitlines()[-1] == str(run / "asset")
     return run
 
 
@@ -142,9 +142,9 @@ def test_a_run_reaches_for_no_network(whole):
 @pytest.mark.skipif(not cut_off(), reason="no network namespace may be made here")
 def test_an_attempt_of_such_a_run_would_fail_and_be_recorded(fork, tmp_path):
     record = recorder(tmp_path / "recorder")
-    status, said = fork("words", "a chair", before=alone_here(record) + ONLINE).finished()
-    assert status == 0, said
-    assert said.split()[:2] == ["OSError", "gaierror"]
+    status, output = fork("words", "a chair", before=alone_here(record) + ONLINE).finished()
+    assert status == 0, output
+    assert output.split()[:2] == ["OSError", "gaierror"]
     tried = {line.split()[0] for line in attempts(record)}
     assert tried == {"socket.connect", "socket.getaddrinfo"}
 
@@ -208,13 +208,13 @@ def test_a_killed_and_a_cancelled_run_resume_to_the_same_asset(whole, fork, tmp_
     session = fork("resume", run)
     wait_for(run, "appearance", 1)
     session.interrupt()
-    status, said = session.finished()
-    assert status == 130, said
-    assert "Traceback" not in said
+    status, output = session.finished()
+    assert status == 130, output
+    assert "Traceback" not in output
     assert read_events(run)[-1]["type"] == "cancelled"
 
-    status, said = fork("resume", run).finished()
-    assert status == 0, said
+    status, output = fork("resume", run).finished()
+    assert status == 0, output
     for name in ("mesh.obj", "base_color.png", "orm.png", "normal.png"):
         assert (run / "asset" / name).read_bytes() == (whole / "asset" / name).read_bytes(), name
 
@@ -234,10 +234,10 @@ Guard.remember = last
 
 def test_a_surface_that_vanishes_at_the_last_step_exits_with_5(fork, tmp_path):
     run = tmp_path / "run"
-    status, said = fork(*tiny_runs.generate(run), before=VANISHED).finished()
-    assert status == 5, said
-    assert "Traceback" not in said
-    assert "vanished" in said
+    status, output = fork(*tiny_runs.generate(run), before=VANISHED).finished()
+    assert status == 5, output
+    assert "Traceback" not in output
+    assert "vanished" in output
     assert read_events(run)[-1]["type"] == "error"
     assert fork("resume", run).finished()[0] == 5
 
@@ -266,17 +266,17 @@ def test_retouching_keeps_more_the_stronger_it_is():
 
 
 def test_texture_starts_from_the_base_colour_over_the_meshs_own_uv(fork, tmp_path):
-    """Two triangles that share their texels: kept as they are; the colour is still there."""
+    """Two triangles that share texels are kept as they are; the colour is still there."""
     mesh = tmp_path / "wall.obj"
     text = "v -1 0 0\nv 1 0 0\nv 1 2 0\nv -1 2 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
     mesh.write_text(text + "f 1/1 2/2 3/3\nf 3/1 4/2 1/3\n")
     Image.new("RGB", (8, 8), (40, 160, 60)).save(tmp_path / "green.png")
     run, words = tmp_path / "run", ["--uv=keep", f"--base-color={tmp_path / 'green.png'}"]
-    status, said = fork(
+    status, output = fork(
         "texture", mesh, "a red cube", "--out", run, *words, "--strength=1", *OPTIONS
     ).finished()
-    assert status == 0, said
-    assert "overlap, so they share texels" in said
+    assert status == 0, output
+    assert "overlap, so they share texels" in output
     asset = read_asset(run / "asset")
     assert sorted(asset.mesh.uv.tolist()) == [[0, 0], [1, 0], [1, 1]]
     green = torch.tensor([40, 160, 60]).div(255).pow(2.2)
@@ -298,8 +298,8 @@ def test_texture_keeps_the_users_mesh_and_its_place(fork, tmp_path):
     mesh.write_text("\n".join(kept) + "\n")
     run = tmp_path / "run"
     words = [*OPTIONS, "--max-faces=450"]  # it has 432
-    status, said = fork("texture", mesh, "a blue ball", "--out", run, *words).finished()
-    assert status == 0, said
+    status, output = fork("texture", mesh, "a blue ball", "--out", run, *words).finished()
+    assert status == 0, output
     asset = read_asset(run)
     torch.testing.assert_close(asset.mesh.verts, verts, atol=1e-4, rtol=0)
     assert torch.equal(asset.mesh.faces, faces)
@@ -321,10 +321,10 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 
 def test_a_full_disk_ends_with_a_sentence_and_nothing_half_written(fork, small_disk):
     run = small_disk / "run"
-    status, said = fork(*tiny_runs.generate(run)).finished()
-    assert status == 2, said
-    assert "Traceback" not in said
-    assert "No space" in said or "full" in said
+    status, output = fork(*tiny_runs.generate(run)).finished()
+    assert status == 2, output
+    assert "Traceback" not in output
+    assert "No space" in output or "full" in output
     assert not (run / "asset").exists()
     assert not list(run.rglob("*.tmp"))
 
@@ -356,9 +356,9 @@ def test_an_asset_is_made_again_from_what_it_records_to_the_last_bit(whole, fork
     import shutil
 
     alone = shutil.copytree(whole / "asset", tmp_path / "alone")
-    status, said = fork("verify", alone).finished()
-    assert status == 0, said
-    report = json.loads(said[said.index("{") :])
+    status, output = fork("verify", alone).finished()
+    assert status == 0, output
+    report = json.loads(output[output.index("{") :])
     assert report["same"]
     assert set(report["files"].values()) == {"same"}
     assert report["versions"] == {}
@@ -369,10 +369,10 @@ def test_the_material_is_learnt_within_each_areas_ranges(tmp_path, monkeypatch):
     class SeenError(Exception):
         """Where the appearance's training would begin."""
 
-    def begun(_config, _generator, local=None):
+    def created(_config, _generator, local=None):
         raise SeenError(local)
 
-    monkeypatch.setattr("core.generate.MaterialNet", begun)
+    monkeypatch.setattr("core.generate.MaterialNet", created)
     run = RunFolder.create(tmp_path / "run", Job(prompt="a dumbbell", max_faces=100))
     with pytest.raises(SeenError) as caught:
         generate(run, prepare(run.job), Progress(run))

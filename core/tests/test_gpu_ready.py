@@ -44,7 +44,7 @@ from core.tests.test_stages import (
 )
 
 RENDER_WAITS = 7  # of one render of all views, with its gradient: sizes that depend on the picture
-PART_WAITS = RENDER_WAITS + 1  # and one look at whether what the guidance said is finite
+PART_WAITS = RENDER_WAITS + 1  # and one check whether the guidance's output is finite
 
 
 @pytest.fixture
@@ -179,7 +179,7 @@ def test_many_points_of_a_material_are_not_kept(monkeypatch):
 
 
 def test_what_does_not_fit_is_halved_and_goes_on(tmp_path):
-    """The same numbers as when it had begun with that, and one warning."""
+    """The same numbers as when it had started with that, and one warning."""
     mesh, light = unwrapped_sphere(), Environment.of(GREY, "split_sum")
     early = replace(SHORT_COLOR.early, steps=2)
     short = replace(SHORT_COLOR, early=early, views=3, views_at_once=3)

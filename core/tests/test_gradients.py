@@ -1,7 +1,7 @@
 """The gradient of each formula of the renderer and of the shading, against finite differences.
 
 In float64, formula by formula; those of Functions with a backward of their own, of marching
-tetrahedra and of the hash grid stand with their tests. The outline's gradient is not that of its
+tetrahedra and of the hash grid are in their tests. The outline's gradient is not that of its
 own picture but of one of infinite resolution: see test_antialias.
 """
 
@@ -33,7 +33,7 @@ def rows(seed: int, *shape: int) -> Tensor:
     return torch.randn(*shape, generator=generator, dtype=torch.float64).requires_grad_()
 
 
-def shares(seed: int, *shape: int) -> Tensor:
+def fractions(seed: int, *shape: int) -> Tensor:
     """Numbers in [0.2, 0.9]."""
     return (0.2 + 0.7 * torch.sigmoid(rows(seed, *shape))).detach().requires_grad_()
 
@@ -44,20 +44,20 @@ STEEP = normalize(VIEW + 1.2 * normalize(rows(5, N, 3)))
 FORMULAS: dict[str, tuple[Callable, tuple[Tensor, ...]]] = {
     "dot": (dot, (rows(1, N, 3), rows(2, N, 3))),
     "normalize": (normalize, (rows(1, N, 3),)),
-    "linear_to_srgb": (linear_to_srgb, (shares(1, N, 3),)),
-    "linear_to_srgb, dark": (linear_to_srgb, (1e-3 * shares(1, N, 3),)),
-    "srgb_to_linear": (srgb_to_linear, (shares(1, N, 3),)),
+    "linear_to_srgb": (linear_to_srgb, (fractions(1, N, 3),)),
+    "linear_to_srgb, dark": (linear_to_srgb, (1e-3 * fractions(1, N, 3),)),
+    "srgb_to_linear": (srgb_to_linear, (fractions(1, N, 3),)),
     "to_clip": (lambda v: to_clip(v, Cameras.orbit([9.0], [5.0]).mvp.double()), (rows(1, N, 3),)),
     "face_normals": (lambda v: face_normals(v, FACES), (rows(1, 6, 3),)),
     "vertex_normals": (lambda v: vertex_normals(v, FACES), (rows(1, 6, 3),)),
     "perturb": (perturb, (rows(1, N, 3), rows(2, N, 4), rows(3, N, 3))),
     "lifted": (lambda n, v, f: lifted(*map(normalize, (n, v, f))), (STEEP, VIEW, NORMAL)),
-    "ggx_d": (brdf.ggx_d, (shares(1, N), shares(2, N))),
-    "smith_lambda": (brdf.smith_lambda, (shares(1, N), shares(2, N))),
-    "smith_g2": (brdf.smith_g2, (shares(1, N), shares(2, N), shares(3, N))),
-    "schlick_weight": (brdf.schlick_weight, (shares(1, N),)),
-    "fresnel_dielectric": (brdf.fresnel_dielectric, (shares(1, N),)),
-    "brdf": (brdf.brdf, tuple(shares(i, N) for i in range(4))),
+    "ggx_d": (brdf.ggx_d, (fractions(1, N), fractions(2, N))),
+    "smith_lambda": (brdf.smith_lambda, (fractions(1, N), fractions(2, N))),
+    "smith_g2": (brdf.smith_g2, (fractions(1, N), fractions(2, N), fractions(3, N))),
+    "schlick_weight": (brdf.schlick_weight, (fractions(1, N),)),
+    "fresnel_dielectric": (brdf.fresnel_dielectric, (fractions(1, N),)),
+    "brdf": (brdf.brdf, tuple(fractions(i, N) for i in range(4))),
     "to_uv": (to_uv, (rows(1, N, 3),)),
     "lobe_axes": (lobe_axes, (NORMAL, VIEW, rows(3, N, 6))),
     "lamps' irradiance": (
@@ -106,6 +106,6 @@ def test_both_models_of_the_shading_have_their_own_gradient(model: str) -> None:
     sky = Environment.of(torch.stack([1 + z, 1 + 0.5 * x, 1 + 0.5 * y], -1), model)
     # At roughnesses between the tables' nodes, where they have a kink.
     rough = torch.tensor([[0.234], [0.433], [0.567], [0.871], [0.311]], dtype=torch.float64)
-    given = (NORMAL, VIEW, shares(3, N, 3), rough, shares(4, N, 1))
+    given = (NORMAL, VIEW, fractions(3, N, 3), rough, fractions(4, N, 1))
     given = tuple(x.detach().clone().requires_grad_() for x in given)
     assert gradcheck(lambda *x: shade(*x, sky), given, eps=1e-7, atol=1e-4, rtol=1e-3)

@@ -250,8 +250,8 @@ def test_without_a_pull_the_leash_gives_the_surface_free() -> None:
 def test_a_fit_ends_by_itself_near_the_surface(few_points) -> None:
     """The draft's 200 steps of old left a torus four times as far away."""
     net, seen = SdfNet(2 * EXTENT / 16, FOURIER, generator=seeded()), []
-    told = lambda step, error: seen.append(step)  # noqa: E731
-    error = fit_until_still(net, mesh_shape(wild()["inward"]), seeded(1), told)
+    progress = lambda step, error: seen.append(step)  # noqa: E731
+    error = fit_until_still(net, mesh_shape(wild()["inward"]), seeded(1), progress)
     assert error < 0.006
     assert 200 < len(seen) < MOST_STEPS
 
@@ -288,7 +288,7 @@ def _steps(config) -> int:
 
 
 def test_no_setting_draws_another_shape_than_a_guide_that_is_kept() -> None:
-    """The drawn one's parts would say that the guide lies in the training's cube already."""
+    """The drawn one's parts would be right only if the guide were in the training's cube already."""
     settings = {"geometry.start": "learned"}
     options = {"prompt": "a chair", "guide_mesh": "guide.obj", "settings": settings}
     assert config_of(Job(**options, guide_strength=1)).geometry.start == "ellipsoid"

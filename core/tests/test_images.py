@@ -50,7 +50,7 @@ def test_normals_keep_sixteen_bits() -> None:
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
 @pytest.mark.parametrize("channels", [3, 4])
 def test_png_round_trip(tmp_path: Path, dtype: type, channels: int) -> None:
-    """Every bit comes back, and the file says 16 where it has 16."""
+    """Every bit comes back, and the file states 16 where it has 16."""
     rng = np.random.default_rng(0)
     image = rng.integers(0, np.iinfo(dtype).max, (5, 7, channels), dtype, endpoint=True)
     images.write_png(tmp_path / "a.png", image)
@@ -68,7 +68,7 @@ def test_a_tensor_is_written_as_it_is(tmp_path: Path) -> None:
         assert picture.getpixel((0, 0)) == (128, 128, 128)
 
 
-def test_unreadable_pictures_are_told(tmp_path: Path) -> None:
+def test_unreadable_pictures_are_reported(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="no picture"):
         images.read_png(tmp_path / "none.png")
     (tmp_path / "bad.png").write_bytes(b"hello")
@@ -85,13 +85,13 @@ def test_unreadable_pictures_are_told(tmp_path: Path) -> None:
     ("number", "words"),
     [(errno.ENOSPC, "disk is full"), (errno.EACCES, "cannot be written: permission denied")],
 )
-def test_what_the_disk_refuses_is_told(tmp_path: Path, number: int, words: str) -> None:
-    """The older file stays, nothing lies beside it."""
+def test_what_the_disk_refuses_is_reported(tmp_path: Path, number: int, words: str) -> None:
+    """The older file stays, nothing is next to it."""
     (tmp_path / "a.txt").write_text("old")
 
     def write() -> None:
-        with atomic_file(tmp_path / "a.txt") as aside:
-            aside.write_text("half")
+        with atomic_file(tmp_path / "a.txt") as temporary:
+            temporary.write_text("half")
             raise OSError(number, os.strerror(number))
 
     with pytest.raises(UserError, match=words):
@@ -102,8 +102,8 @@ def test_what_the_disk_refuses_is_told(tmp_path: Path, number: int, words: str) 
 
 def test_other_faults_keep_their_name(tmp_path: Path) -> None:
     def write() -> None:
-        with atomic_file(tmp_path / "a.txt") as aside:
-            aside.write_text("half")
+        with atomic_file(tmp_path / "a.txt") as temporary:
+            temporary.write_text("half")
             raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
@@ -111,7 +111,7 @@ def test_other_faults_keep_their_name(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_folder_that_is_not_there_is_reported(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="cannot be written"):
         images.write_png(tmp_path / "none" / "a.png", np.zeros((2, 2, 3), np.uint8))
 

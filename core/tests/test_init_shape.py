@@ -1,4 +1,4 @@
-"""Eq. 3: true distances, signs that stand the wild, and a fit that gets there."""
+"""Eq. 3: true distances, signs that hold for wild meshes, and a fit that gets there."""
 
 import math
 from pathlib import Path
@@ -51,8 +51,8 @@ def join(*meshes):
     return torch.cat(verts), torch.cat(faces)
 
 
-def flipped(faces, share, seed=3):
-    turn = torch.rand(len(faces), generator=seeded(seed)) < share
+def flipped(faces, fraction, seed=3):
+    turn = torch.rand(len(faces), generator=seeded(seed)) < fraction
     return torch.where(turn[:, None], faces.flip(1), faces)
 
 
@@ -110,7 +110,7 @@ def test_cylinder_distance_at_known_points():
 
 
 @pytest.mark.parametrize("shape", [ellipsoid((0.3, 0.5, 0.9)), cylinder(0.5, 0.7)])
-def test_surface_points_lie_on_the_surface(shape):
+def test_surface_points_are_on_the_surface(shape):
     points = shape.surface(2000, seeded())
     assert points.shape == (2000, 3)
     assert shape.sdf(points).abs().max() < 1e-5
@@ -122,9 +122,9 @@ def test_surface_points_of_an_ellipsoid_are_uniform_by_area():
     mesh.vertices *= [0.2, 0.2, 1.0]
     for height in (0.3, 0.6, 0.9):
         expected = mesh.area_faces[np.abs(mesh.triangles_center[:, 2]) > height].sum() / mesh.area
-        share = float((points[:, 2].abs() > height).float().mean())
+        fraction = float((points[:, 2].abs() > height).float().mean())
         error = math.sqrt(expected * (1 - expected) / 40000)
-        assert abs(share - expected) < 4 * error + 0.002
+        assert abs(fraction - expected) < 4 * error + 0.002
 
 
 def test_surface_points_of_a_cylinder_are_uniform_by_area():
@@ -251,11 +251,11 @@ def test_sample_points_are_those_of_the_released_code():
     assert points.abs().max() <= 1.05
 
 
-def test_fit_reaches_an_ellipsoid_and_says_how_far_it_is():
+def test_fit_reaches_an_ellipsoid_and_states_how_far_it_is():
     grid = tet_grid(16)
     net = SdfNet(grid.cell, FOURIER, generator=seeded())
     seen = []
-    error = fit(net, ellipsoid((0.4, 0.5, 0.7)), 120, seeded(1), lambda *told: seen.append(told))
+    error = fit(net, ellipsoid((0.4, 0.5, 0.7)), 120, seeded(1), lambda *state: seen.append(state))
     assert [step for step, _ in seen] == list(range(1, 121))
     assert error == seen[-1][1] < 0.03 < seen[0][1]
     drawn = extract(net, grid)

@@ -208,8 +208,8 @@ def test_a_loop_is_compiled_again_after_a_change_of_what_it_calls_in_another_fil
     call = [sys.executable, "-B", "-c", "from core.kernels.outer import outer; print(outer())"]
     for number in ("1", "2"):
         (folder / "inner.py").write_text(loop.format("", "inner", number))
-        said = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=True)
-        assert said.stdout.strip() == number
+        output = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=True)
+        assert output.stdout.strip() == number
 
 
 @pytest.mark.parametrize("suffix", [".nbi", ".nbc"])

@@ -50,7 +50,7 @@ def test_each_command_goes_to_the_core_or_to_blender(line, blender):
 
 
 @pytest.mark.parametrize(
-    ("line", "say"),
+    ("line", "sentence"),
     [
         (["generat", "a chair"], "no command 'generat'. Did you mean generate?"),
         (["generate", "a chair", "--blend"], "--blend: expected one argument"),
@@ -74,12 +74,12 @@ def test_each_command_goes_to_the_core_or_to_blender(line, blender):
         (["package", "--out", __file__], "is not a folder"),
     ],
 )
-def test_wrong_input_is_one_sentence_and_exit_code_2(box, capsys, line, say):
+def test_wrong_input_is_one_sentence_and_exit_code_2(box, capsys, line, sentence):
     assert run.main(line) == 2
-    said = capsys.readouterr().err
-    assert say in said
-    assert said.startswith("error: ")
-    assert said.count("\n") == 1
+    output = capsys.readouterr().err
+    assert sentence in output
+    assert output.startswith("error: ")
+    assert output.count("\n") == 1
     assert not box.log, "nothing is set up for a wrong command"
 
 
@@ -92,18 +92,18 @@ def test_help_needs_no_environment(box, capsys):
 
 def test_help_names_every_command(capsys):
     run.main(["--help"])
-    said = capsys.readouterr().out
+    output = capsys.readouterr().out
     names = (*run.parser().names, *run.PASS_ON)
-    assert [name for name in names if f"\n    {name} " not in said] == []
+    assert [name for name in names if f"\n    {name} " not in output] == []
 
 
 def test_the_help_of_a_command_needs_no_environment(box, capsys):
     with pytest.raises(SystemExit) as ended:
         run.main(["generate", "--help"])
     assert ended.value.code == 0
-    said = capsys.readouterr().out
-    assert "--seed" in said  # the core's
-    assert "--blend" in said  # Blender's
+    output = capsys.readouterr().out
+    assert "--seed" in output  # the core's
+    assert "--blend" in output  # Blender's
     assert not box.log
 
 
@@ -194,9 +194,13 @@ def test_where_a_process_cannot_become_another_it_waits_and_returns_the_exit_cod
         "import run; status = run.hand_over([sys.executable, '-c', sys.argv[1]])\n"
         "print(status, signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
     )
-    told = "import os, signal, sys; print(signal.getsignal(signal.SIGINT), flush=True); " + code
+    program = "import os, signal, sys; print(signal.getsignal(signal.SIGINT), flush=True); " + code
     done = subprocess.run(
-        [sys.executable, "-c", script, told], cwd=ROOT, capture_output=True, text=True, check=True
+        [sys.executable, "-c", script, program],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
     )
     theirs, ours = done.stdout.splitlines()
     assert "default_int_handler" in theirs, "the child can be interrupted"
@@ -209,7 +213,7 @@ def test_another_pythons_variables_do_not_reach_the_environment():
     assert child.communicate()[0].split() == ["None", "None"]
 
 
-def test_doctor_says_what_is_missing_and_how_to_fix_it(tmp_path):
+def test_doctor_states_what_is_missing_and_how_to_fix_it(tmp_path):
     child = launcher("doctor", FANTASIA3D_PYTHON="", FANTASIA3D_ENV=str(tmp_path / "none"))
     out, err = child.communicate()
     assert child.returncode == 3

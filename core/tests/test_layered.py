@@ -209,7 +209,7 @@ def test_drift_is_how_far_an_outline_moves():
     assert drift(moving) == pytest.approx(1.5, abs=0.1)  # from its second section to its eighth
 
 
-def test_ends_are_what_lies_across_the_axis():
+def test_ends_are_what_is_across_the_axis():
     square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     turn = np.array([0.3, 0.2, 0.1])
     one = Primitive("layers", np.zeros(3), turn, packed([(0.0, 0.5, [square])]))

@@ -107,7 +107,7 @@ def test_looking_along_the_normal_is_smooth() -> None:
     assert float(normal.grad.abs().max()) < 10
 
 
-def test_table_is_as_the_fit_says_and_loses_no_light() -> None:
+def test_table_is_that_of_the_fit_and_loses_no_light() -> None:
     table = lobe_table()
     assert table.shape == (2 * LOBES + 3 * (LOBES + 1), ROUGHNESS[2], ROOT_COS[2])
     roughness = torch.rand(100, 1, generator=GENERATOR)

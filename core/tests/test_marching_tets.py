@@ -65,7 +65,7 @@ def test_area_and_volume_converge_at_second_order():
     assert max(errors[-1]) < 0.002
 
 
-def test_verts_lie_on_the_zero_of_the_linear_interpolant():
+def test_verts_are_on_the_zero_of_the_linear_interpolant():
     verts, _ = sphere(10)
     grid = tet_grid(10)
     p = grid.tet_verts.double()
@@ -97,13 +97,13 @@ def test_gradient_in_sdf_and_positions():
 @settings(max_examples=40, deadline=None)
 @given(
     seed=st.integers(0, 2**31),
-    share=st.floats(0, 1),
+    fraction=st.floats(0, 1),
     zeros=st.floats(0, 0.5),
     scale=st.sampled_from([1e-40, 1e-30, 1e-6, 1.0, 1e30]),
 )
-def test_any_sdf_gives_a_closed_manifold_with_finite_gradient(seed, share, zeros, scale):
+def test_any_sdf_gives_a_closed_manifold_with_finite_gradient(seed, fraction, zeros, scale):
     g = torch.Generator().manual_seed(seed)
-    sdf = (torch.rand(len(SMALL.tet_verts), generator=g) - share) * scale
+    sdf = (torch.rand(len(SMALL.tet_verts), generator=g) - fraction) * scale
     sdf = sdf * (torch.rand(sdf.shape, generator=g) >= zeros)
     sdf.requires_grad_()
     verts, faces = marching_tets(SMALL.tet_verts, sdf, SMALL)

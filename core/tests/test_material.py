@@ -94,7 +94,7 @@ def test_the_words_bound_the_material():
 
 
 def halves() -> LocalRanges:
-    """Rough at x < 0, smooth metal at x > 0; between 0.2 and 0.4 of y it is as z says."""
+    """Rough at x < 0, smooth metal at x > 0; between 0.2 and 0.4 of y it follows z."""
     side = torch.linspace(-EXTENT, EXTENT, 22)
     areas = (side > 0).long()[:, None, None].repeat(1, 22, 22)
     band = (side > 0.2) & (side < 0.4)

@@ -318,7 +318,7 @@ def test_uv_is_dropped_where_parts_have_textures_of_their_own(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "content", "said"),
+    ("name", "content", "output"),
     [
         ("a.blend", b"BLENDER", "by its ending"),
         ("empty.obj", b"", "no faces"),
@@ -334,9 +334,9 @@ def test_uv_is_dropped_where_parts_have_textures_of_their_own(tmp_path):
         ("short.glb", b"glTF\x02\x00\x00\x00\xff\x00\x00\x00", "cannot be read"),
     ],
 )
-def test_a_bad_file_is_a_sentence_with_a_fix(tmp_path, name, content, said):
+def test_a_bad_file_is_a_sentence_with_a_fix(tmp_path, name, content, output):
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(UserError, match=said) as caught:
+    with pytest.raises(UserError, match=output) as caught:
         load_mesh(tmp_path / name)
     assert caught.value.fix
     assert name in caught.value.text

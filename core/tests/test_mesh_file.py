@@ -24,7 +24,7 @@ PLY = (
 
 
 def glb(indices: list[int], nodes: list[dict] | None = None, count: int = 3) -> bytes:
-    """One triangle, unless ``indices``, ``nodes`` or the vertices' ``count`` say otherwise."""
+    """One triangle, unless ``indices``, ``nodes`` or the vertices' ``count`` are given."""
     tree = {
         "asset": {"version": "2.0"},
         "scene": 0,
@@ -97,7 +97,7 @@ TEXTURED, PLAIN = {"baseColorTexture": RED}, {"baseColorFactor": [0, 0, 255, 255
 
 
 def boxes(path: Path, *materials: dict) -> Path:
-    """A row of boxes, whose uv none shares with another, each of its own material."""
+    """A row of boxes, with separate uv, each of its own material."""
     parts = []
     for k, material in enumerate(materials):
         box = trimesh.creation.box()

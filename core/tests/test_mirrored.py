@@ -1,4 +1,4 @@
-"""Components that mirror each other are made alike."""
+"""Components that mirror each other get the same surface."""
 
 import pytest
 import torch
@@ -42,11 +42,11 @@ def test_the_left_mirrors_the_right_and_nothing_else():
     assert mirror.axis == 0
     sides = [components[k].verts[:, 0].mean() for k in (later, mirror.of)]
     assert sides[0] == pytest.approx(-float(sides[1]), abs=0.01)
-    aside = blocks((0.4, 0, 0.3), (-0.4, 0, 0.2))  # not as high
-    assert mirrored_pairs(aside, drawn(aside)) == {}
+    uneven = blocks((0.4, 0, 0.3), (-0.4, 0, 0.2))  # not as high
+    assert mirrored_pairs(uneven, drawn(uneven)) == {}
 
 
-def test_what_only_has_the_size_of_its_like_is_no_twin():
+def test_what_only_has_the_size_of_its_like_is_not_mirrored():
     """A ball in a box's box."""
     both = blocks((0.4, 0, 0.3), (-0.4, 0, 0.3), waves=0.0)
 
@@ -66,9 +66,9 @@ def test_a_twin_is_its_others_mirror_to_the_last_bit():
     plain = blocks((0.4, 0, 0.3), (-0.4, 0, 0.3))
 
     def knobbed(points):  # no simple solid
-        aside = points.clone()
-        aside[:, 0] = aside[:, 0].abs()
-        knob = (aside - torch.tensor([0.5, 0.05, 0.42])).norm(dim=1) - 0.12
+        folded = points.clone()
+        folded[:, 0] = folded[:, 0].abs()
+        knob = (folded - torch.tensor([0.5, 0.05, 0.42])).norm(dim=1) - 0.12
         return torch.minimum(plain(points), knob[:, None])
 
     parts = KnownParts(knobbed, FLAT)

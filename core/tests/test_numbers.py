@@ -76,10 +76,10 @@ def command(use: str, mesh: Path) -> list[str]:
     }[use]
 
 
-def check(code: int, use: str, run: Path, said: str) -> None:
+def check(code: int, use: str, run: Path, output: str) -> None:
     """A sentence and no asset, or an asset that can be printed where a guide is followed."""
     if code:
-        assert code == 2 and said.splitlines()[-1].startswith("error: "), said
+        assert code == 2 and output.splitlines()[-1].startswith("error: "), output
         assert not (run / "asset").exists()
         return
     report = inspect(run)

@@ -87,9 +87,9 @@ def test_a_mirror_under_a_plate_shows_the_plate(even: Environment) -> None:
     slanted = normalize(torch.tensor([[1.0, 0, 0.25]]))
     kd, smooth = torch.full((1, 3), 0.5), torch.full((1, 1), 0.2)
     up = occluded(occlusion, UP, UP, kd, smooth)[1]
-    aside = occluded(occlusion, UP, slanted, kd, smooth)[1]
+    tilted = occluded(occlusion, UP, slanted, kd, smooth)[1]
     assert float(up) < 0.1
-    assert float(aside) > 0.45  # soft, as sixteen harmonics are
+    assert float(tilted) > 0.45  # soft, as sixteen harmonics are
 
 
 def test_a_mirror_shows_the_object_in_the_objects_colour(even: Environment) -> None:
@@ -109,8 +109,8 @@ def test_a_suns_light_is_all_there_or_not(even: Environment) -> None:
         d = directions(256, 512)
         lamp = Environment.of(1e-3 + 2e4 * (d @ toward[0] > 0.9995)[..., None].expand(-1, -1, 3))
         assert len(lamp.lamps.power) > 0
-        share = VertexVisibility.of(*mesh).occlusion(lamp)[:3, :3]
-        assert bool((share > 0.9).all()) if seen else bool((share < 0.1).all())
+        fraction = VertexVisibility.of(*mesh).occlusion(lamp)[:3, :3]
+        assert bool((fraction > 0.9).all()) if seen else bool((fraction < 0.1).all())
 
 
 def test_it_turns_with_the_light(sky: Environment) -> None:

@@ -34,7 +34,7 @@ def drawn(uv: np.ndarray, faces: np.ndarray, size: int) -> np.ndarray:
     return mask
 
 
-def test_charts_keep_their_gap_and_lie_inside() -> None:
+def test_charts_keep_their_gap_and_are_inside() -> None:
     uv, faces, chart = blobs(25)
     gap = 4 / 1024
     out = pack(uv, faces, chart, gap)
@@ -181,13 +181,13 @@ def test_no_atlas_ends_before_its_threads_sleep(monkeypatch) -> None:
 
 
 def test_marked_cells_are_those_with_a_point_of_the_triangle() -> None:
-    """Against 300 x 300 points of each triangle; twice is counted where centres lie in two."""
+    """Against 300 x 300 points of each triangle; twice is counted where centres are in two."""
     for _ in range(20):
         t = RANDOM.uniform(0, 12, (1, 3, 2))
         mask = np.zeros((12, 12), np.bool_)
         assert mark(t, mask) == 0
-        share = np.sort(RANDOM.uniform(0, 1, (90_000, 2)), 1)
-        weight = np.stack([share[:, 0], share[:, 1] - share[:, 0], 1 - share[:, 1]], 1)
+        fraction = np.sort(RANDOM.uniform(0, 1, (90_000, 2)), 1)
+        weight = np.stack([fraction[:, 0], fraction[:, 1] - fraction[:, 0], 1 - fraction[:, 1]], 1)
         x, y = np.floor(weight @ t[0]).astype(int).T
         points = np.zeros_like(mask)
         points[y, x] = True

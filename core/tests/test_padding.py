@@ -11,9 +11,9 @@ from core.texture.padding import nearest_covered, pad
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10**6), st.floats(0.02, 0.9))
-def test_nearest_is_the_slow_reference(seed: int, share: float) -> None:
+def test_nearest_is_the_slow_reference(seed: int, fraction: float) -> None:
     generator = torch.Generator().manual_seed(seed)
-    covered = torch.rand(9, 13, generator=generator) < share
+    covered = torch.rand(9, 13, generator=generator) < fraction
     covered[3, 4] = True
     at = covered.nonzero().float()
     for here, there in zip((~covered).nonzero(), nearest_covered(covered), strict=True):
@@ -46,6 +46,6 @@ def test_all_covered_is_unchanged() -> None:
     assert torch.equal(pad(image.clone(), covered, nearest_covered(covered)), image)
 
 
-def test_nothing_covered_is_told() -> None:
+def test_nothing_covered_is_reported() -> None:
     with pytest.raises(UserError, match="No texel of the 4 x 4 texture"):
         nearest_covered(torch.zeros(4, 4, dtype=torch.bool))

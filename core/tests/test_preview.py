@@ -33,7 +33,7 @@ def test_a_lighter_mesh_is_the_same_shape(limit):
     assert float((radii - 0.9).abs().max()) < 0.02
     assert signed_volume(light, fewer) == pytest.approx(signed_volume(verts, faces), rel=0.08)
     assert component_labels(fewer, len(light))[0] == 1
-    assert len(fewer.sort(1).values.unique(dim=0)) == len(fewer)  # none lies on another
+    assert len(fewer.sort(1).values.unique(dim=0)) == len(fewer)  # none coincides with another
 
 
 def test_a_lighter_box_keeps_its_edges_and_corners():

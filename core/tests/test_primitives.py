@@ -1,4 +1,4 @@
-"""A component's points tell the primitive that it is, and its mesh is that solid."""
+"""A component's primitive is found from its points, and its mesh is that solid."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ from core.geometry.parts.primitives import Primitive
 ERROR = 0.04
 BLOCK = Faces(block=True)
 CENTER = np.array([0.1, 0.2, 0.3])
-TILTED, LYING = np.array([0.0, 0.4, 0.0]), np.array([0.0, np.pi / 2, 0.0])
+TILTED, SIDEWAYS = np.array([0.0, 0.4, 0.0]), np.array([0.0, np.pi / 2, 0.0])
 
 
 def solid(form, lengths, turn=(0.0, 0.0, 0.0)):
@@ -34,10 +34,10 @@ SOLIDS = [
     solid("box", (0.2, 0.3, 0.1, 0.0)),
     solid("box", (0.2, 0.3, 0.12, 0.0), TILTED),
     solid("box", (0.3, 0.4, 0.2, 0.09)),
-    solid("frustum", (0.1, 0.3, 0.3, 0.0), LYING),
+    solid("frustum", (0.1, 0.3, 0.3, 0.0), SIDEWAYS),
     solid("frustum", (0.5, 0.2, 0.1, 0.0), TILTED),
     solid("capsule", (0.3, 0.12, 0.12)),
-    solid("ring", (0.4, 0.12), LYING),
+    solid("ring", (0.4, 0.12), SIDEWAYS),
 ]
 
 

@@ -31,13 +31,13 @@ def asset_of(job: Job, folder: Path) -> tuple[Path, dict[str, Any]]:
     "names", [{"light": "blender:city"}, {"light": "city"}, {"guidance": "a/b"}]
 )
 def test_an_asset_elsewhere_is_made_again_with_what_has_a_name(names, tmp_path) -> None:
-    """A light of Blender's and a model of the hub are no files beside it."""
+    """A light of Blender's and a model of the hub are no files next to it."""
     job = Job(prompt="a chair", **names)
     assert job_to_verify(*asset_of(job, tmp_path / "copy")) == job
 
 
 @pytest.mark.parametrize("field", ["light", "guidance", "guide_mesh"])
-def test_an_asset_whose_files_are_not_here_says_which(field, tmp_path) -> None:
+def test_an_asset_whose_files_are_not_here_states_which(field, tmp_path) -> None:
     job = Job(prompt="a chair", **{field: "/files/none.hdr"})
     with pytest.raises(UserError, match="made from 'none.hdr', which is missing"):
         job_to_verify(*asset_of(job, tmp_path / "copy"))

@@ -1,6 +1,6 @@
-"""Several processes that make one asset: their sums, their shares, and the end of one of them.
+"""Several processes that make one asset: their sums, their views, and the end of one of them.
 
-Two threads stand for two processes where only the sums matter: gloo connects them as it does
+Two threads represent two processes where only the sums matter: gloo connects them as it does
 processes, and a second import of torch is saved.
 """
 
@@ -183,11 +183,11 @@ def test_a_request_to_one_stops_all_after_the_same_step(tmp_path):
     def work(ranks):
         run = run_in(tmp_path / str(ranks.rank))
         setup = replace(color_setup(SHORT_COLOR, run), ranks=ranks)
-        told = Progress(run)
+        result = Progress(run)
         if ranks.first:
-            told.interrupt()
+            result.interrupt()
         with pytest.raises(Cancelled):
-            learn_appearance(setup, mesh, Environment.of(GREY, "split_sum"), told)
+            learn_appearance(setup, mesh, Environment.of(GREY, "split_sum"), result)
         return setup.training.step
 
     assert side_by_side(work) == [1, 1]
@@ -229,7 +229,7 @@ def test_only_what_torchrun_sets_makes_a_process_one_of_several(monkeypatch):
         processes.place(2)
 
 
-def test_what_ended_the_other_process_is_said_here():
+def test_what_ended_the_other_process_is_reported_here():
     store = torch.distributed.HashStore()
     Ranks(1, 2, None, store).report("There is not enough memory for the U-Net.")
 

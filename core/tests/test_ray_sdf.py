@@ -78,7 +78,7 @@ def test_trilinear_values_of_a_linear_function_are_exact():
         assert values.min() - 1e-3 < got < values.min() + step
 
 
-def test_rays_beside_the_cube_are_far_from_the_surface():
+def test_rays_next_to_the_cube_are_far_from_the_surface():
     cameras = Cameras.orbit([0.0], [0.0], fovy_deg=100.0)
     drawn = ray_min_sdf(ball([0.0, 0, 0], 0.5), GRID, cameras, 20, shift(len(cameras), 16))
     assert drawn.isfinite().all()
@@ -93,7 +93,7 @@ def test_the_generator_decides_the_samples():
 
 
 def test_the_compiled_search_finds_what_torch_finds(monkeypatch):
-    """Where two samples are alike to the last digits either may be found."""
+    """Where two samples are equal to the last digits either may be found."""
     bumps = ball([0.2, -0.1, 0.0], 0.4) + 0.05 * torch.randn(
         len(GRID.tet_verts), generator=seeded()
     )

@@ -90,8 +90,8 @@ def test_of_many_faces_what_is_round_has_more():
     sides = torch.linalg.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     of_ball = corners[:, 0, 2] > 0.5
     area = sides.norm(dim=1)
-    share = area[of_ball].sum() / area.sum()
-    assert of_ball.float().mean() > 2.5 * share
+    fraction = area[of_ball].sum() / area.sum()
+    assert of_ball.float().mean() > 2.5 * fraction
 
 
 @pytest.mark.parametrize("budget", [2000, 400])
@@ -283,7 +283,7 @@ def test_many_boxes_on_a_slab_leave_no_folds(
     assert turned.min() > least  # -1 where folds stay
 
 
-def test_a_large_face_beside_small_ones_is_no_fold() -> None:
+def test_a_large_face_next_to_small_ones_is_no_fold() -> None:
     """A plate of two triangles a side, and finely meshed cones on it."""
     lengths = np.array([0.9, 0.6, 0.05, 0.0])
     solids = [Primitive("box", np.zeros(3), np.zeros(3), lengths).mesh(np.inf)]

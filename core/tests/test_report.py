@@ -121,7 +121,7 @@ def test_a_place_that_cannot_be_written_is_a_sentence(private):
         environment.write_report(private / "none" / "r.json", run.ROOT, LINES)
 
 
-def test_the_command_writes_it_and_says_so(private, monkeypatch, capsys):
+def test_the_command_writes_it_and_states_so(private, monkeypatch, capsys):
     monkeypatch.setattr(environment, "examine", lambda root: LINES)
     assert run.main(["doctor", "--report", str(private)]) == 0
     assert str(private) in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""The paper's figures: what is made stays, what failed is said, the page shows what there is."""
+"""The paper's figures: finished rows stay, failures are reported, the page shows the results."""
 
 import contextlib
 import dataclasses
@@ -110,7 +110,7 @@ def test_the_distance_of_a_cube_and_half_of_it_has_a_closed_form():
     slab = dataclasses.replace(cube, verts=cube.verts * torch.tensor([1, 1, 0.5]))
     # Both have one middle. The cube's points are 1/8 away in the mean, the slab's 7/96.
     expected = 50 * (1 / 8 + 7 / 96)
-    assert guide_distance(cube, slab) == pytest.approx(expected, abs=0.4)  # points lie apart
+    assert guide_distance(cube, slab) == pytest.approx(expected, abs=0.4)  # points are apart
     assert guide_distance(slab, cube) == pytest.approx(expected, abs=0.4)
 
 
@@ -122,7 +122,7 @@ def test_an_unknown_guide_is_refused(tmp_path):
 # The command
 
 
-def test_list_says_what_is_made_and_writes_nothing(tmp_path, capsys):
+def test_list_states_what_is_made_and_writes_nothing(tmp_path, capsys):
     assert main(["reproduce", "--list", "--out", str(tmp_path / "out")]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == [figure.name for figure in FIGURES]
@@ -151,12 +151,12 @@ PLACE = "figures/genus/genus-1-wanted-*"
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory):
-    """One row made for real by the shortest settings; what was said."""
-    out, said = tmp_path_factory.mktemp("reproduce"), io.StringIO()
+    """One row made for real by the shortest settings; the output."""
+    out, output = tmp_path_factory.mktemp("reproduce"), io.StringIO()
     # Pictures in this process, which has the method loaded; one of its own is tested below.
-    with contextlib.redirect_stdout(said), mock.patch.object(making, "carry_out", main):
+    with contextlib.redirect_stdout(output), mock.patch.object(making, "carry_out", main):
         assert again(out) == 0
-    return out, said.getvalue()
+    return out, output.getvalue()
 
 
 def again(out):
@@ -168,9 +168,9 @@ def times(out, pattern):
 
 
 def test_a_row_is_made_and_the_page_shows_it(made):
-    out, said = made
+    out, output = made
     page = (out / "reproduction.md").read_text()
-    assert said.splitlines()[-1].endswith("reproduction.md")
+    assert output.splitlines()[-1].endswith("reproduction.md")
     section = page.partition("## Genus")[2].partition("\n## ")[0]
     (row,) = [line for line in section.splitlines() if line.startswith("| **")]
     assert row.startswith(f"| **{ROW}**") and "(reproduction/genus-genus-1-wanted.jpg)" in row
@@ -182,7 +182,7 @@ def test_a_row_is_made_and_the_page_shows_it(made):
         assert len(picture.getcolors(1 << 16)) > 50
 
 
-def test_a_command_is_carried_out_by_a_process_of_its_own_whose_error_is_told():
+def test_a_command_is_carried_out_by_a_process_of_its_own_whose_error_is_reported():
     making.carry_out(["words", "a red chair"])
     with pytest.raises(UserError, match="does not know 'flurb'"):
         making.carry_out(["words", "a flurb"])
@@ -220,7 +220,7 @@ def test_a_row_that_failed_is_on_the_page_and_is_tried_again(made, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_guided_row_says_how_far_it_is_from_its_guide(tmp_path):
+def test_a_guided_row_states_how_far_it_is_from_its_guide(tmp_path):
     words = ["reproduce", "--quick", "--figure=genus", "--row=genus 5 wanted"]
     assert main([*words, "--out", str(tmp_path)]) == 0
     (place,) = tmp_path.glob("figures/genus/*/row.json")

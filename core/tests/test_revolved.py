@@ -23,9 +23,9 @@ def lumpy(solid, height=0.4):
     return verts, faces
 
 
-def upright(*share: float) -> tuple[tuple[float, ...], ...]:
+def upright(*fraction: float) -> tuple[tuple[float, ...], ...]:
     """Of each part, the same all around an upright axis."""
-    return (0.0,) * len(share), (0.0,) * len(share), share
+    return (0.0,) * len(fraction), (0.0,) * len(fraction), fraction
 
 
 def test_a_lumpy_vase_comes_to_its_profile_about_its_own_axis():
@@ -39,7 +39,7 @@ def test_a_lumpy_vase_comes_to_its_profile_about_its_own_axis():
     assert float((made - verts).norm(dim=1).max()) <= 1.5 * CELL + 1e-6
 
 
-def test_the_axis_is_found_beside_the_middle_and_past_a_handle():
+def test_the_axis_is_found_next_to_the_middle_and_past_a_handle():
     solid = join(VASE, moved(tube((0.0, 0.0, -0.3), (0.35, 0.0, 0.3), 0.08), (0.5, -0.07, 0.0)))
     verts, faces = lumpy(solid, 0.2)
     v, f = verts.double().numpy() / CELL, faces.numpy()
@@ -96,8 +96,8 @@ def test_components_on_one_axis_are_one_and_small_ones_join_where_there_is_no_ot
     band = np.abs(v[:, 2]) < 1.5  # a hoop parts the vase in two
     (found,) = on_one_axis(v, f, ~band)
     assert np.array_equal(found, ~band)
-    stands = join(VASE, tube((-0.8, 0.7, -0.3), (-0.8, 0.7, 0.3), 0.2))
-    verts, faces = lumpy(stands, 0.2)
+    beside_it = join(VASE, tube((-0.8, 0.7, -0.3), (-0.8, 0.7, 0.3), 0.2))
+    verts, faces = lumpy(beside_it, 0.2)
     every = np.ones(len(verts), bool)
     both = on_one_axis(verts.double().numpy() / CELL, faces.numpy(), every)
     assert len(both) == 2 and not (both[0] & both[1]).any()

@@ -36,7 +36,7 @@ def looking(views):
     return Cameras.orbit(torch.arange(views) * 90.0, [20.0] * views)
 
 
-def test_the_sphere_around_the_object_covers_what_it_is_said_to(plain):
+def test_the_sphere_around_the_object_covers_what_it_should(plain):
     verts, faces = sphere(5, room.HOLDS)
     _, o = render_normals(verts, faces, looking(2), 128)
     assert float(o.mean()) == pytest.approx(covered_fraction(CAMERAS), rel=0.02)
@@ -55,7 +55,7 @@ def test_the_estimate_of_the_normals_is_within_a_quarter(plain, views, size):
 
 
 def test_the_estimate_of_lit_pictures_is_within_a_quarter(plain):
-    """And shading's share of the paper's 24 views is no longer 9 GB."""
+    """And shading's part of the paper's 24 views is no longer 9 GB."""
     verts, faces = sphere(6, room.HOLDS)
     up = torch.tensor([1.0, 0, 0, 1]).expand(len(faces), 3, 4)
     normals = smooth_normals(verts, faces)
@@ -80,7 +80,7 @@ def sd15(chunk=0):
 
 
 @pytest.mark.parametrize(("gigabytes", "chunk"), [(6, 1), (8, 2), (12, 4), (24, 8), (80, 24)])
-def test_beside_stable_diffusion_the_papers_views_fit_as_they_are(gigabytes, chunk, monkeypatch):
+def test_next_to_stable_diffusion_the_papers_views_fit_as_they_are(gigabytes, chunk, monkeypatch):
     """At its true size: the chunk of pictures leaves room for 24 views, rendered at once."""
     monkeypatch.setattr(room, "available_bytes", lambda _: gigabytes * 1e9 - sd15())
     for kind in (NORMALS, LIT):

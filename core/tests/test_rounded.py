@@ -1,4 +1,4 @@
-"""Edges that stand out catch the light: the normals beside them turn."""
+"""Convex edges catch the light: the normals next to them turn."""
 
 import numpy as np
 import pytest
@@ -33,8 +33,8 @@ def on_top(edges: RoundedEdges, x: list[float], y: float = 0.0) -> Tensor:
 def test_normals_turn_evenly_towards_the_edge_and_both_sides_meet(cube):
     from_edge = [0.0, 0.2, 0.5, 0.8, 1.0, 2.0]  # radii
     above = on_top(cube, [0.5 - RADIUS * r for r in from_edge])
-    beside = cube.normals(torch.tensor([[0.5, 0.0, 0.5]]), SIDE[None])
-    torch.testing.assert_close(above[0], beside[0], atol=1e-5, rtol=0)
+    near = cube.normals(torch.tensor([[0.5, 0.0, 0.5]]), SIDE[None])
+    torch.testing.assert_close(above[0], near[0], atol=1e-5, rtol=0)
     torch.testing.assert_close(above[0], normalize((UP + SIDE)[None])[0], atol=1e-5, rtol=0)
     tilt = above[:, 0]
     assert (tilt[:-2] > tilt[1:-1]).all(), "less and less"
@@ -57,8 +57,8 @@ def test_where_a_shape_goes_in_it_stays_sharp():
     inside = np.abs(middles - (-0.3, 0, 0.1))[:, [0, 2]].max(1) < 1e-6
     assert len(middles) and not inside.any()
     edges = RoundedEdges(verts, faces, RADIUS)
-    beside = torch.tensor([[-0.3 + 0.2 * RADIUS, 0.0, 0.1]])
-    assert torch.equal(edges.normals(beside, UP[None]), UP[None])
+    near = torch.tensor([[-0.3 + 0.2 * RADIUS, 0.0, 0.1]])
+    assert torch.equal(edges.normals(near, UP[None]), UP[None])
 
 
 def test_a_crumb_and_what_is_smooth_have_no_edges():

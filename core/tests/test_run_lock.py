@@ -42,8 +42,8 @@ def owner(tmp_path):
 def test_a_second_resume_ends_with_the_owners_pid_and_status_2(owner, capsys):
     child, run = owner
     assert main(["resume", str(run.path)]) == 2
-    said = capsys.readouterr().err
-    assert f"(pid {child.pid})" in said and said.count("\n") == 1, said
+    output = capsys.readouterr().err
+    assert f"(pid {child.pid})" in output and output.count("\n") == 1, output
     assert read_events(run.path) == [], "the owner's events are its own"
     assert child.poll() is None
 

@@ -158,9 +158,9 @@ def test_a_broken_run_is_named(tmp_path, broken, words, capsys):
     run = made(tmp_path)
     (run.path / broken).write_bytes(b"broken\n")
     assert main(["report", str(run.path)]) == 2
-    said = capsys.readouterr().err
-    assert words in said
-    assert said.count("\n") == 1
+    output = capsys.readouterr().err
+    assert words in output
+    assert output.count("\n") == 1
     assert not (run.path / "report.html").exists()
 
 
@@ -235,7 +235,7 @@ CHROMIUM = next(
 
 
 def screenshot(page: Path, light: str, out: Path) -> tuple[np.ndarray, str]:
-    """The page as a browser shows it, and what the browser had to say."""
+    """The page as a browser shows it, and the browser's output."""
     options = "--headless --no-sandbox --use-gl=angle --use-angle=swiftshader"
     options += " --enable-unsafe-swiftshader --hide-scrollbars --window-size=1000,620"
     options += " --virtual-time-budget=30000 --enable-logging=stderr --v=0"
@@ -255,10 +255,10 @@ def screenshot(page: Path, light: str, out: Path) -> tuple[np.ndarray, str]:
 def test_a_browser_shows_the_asset_lit_from_the_lamp_s_side_and_loads_nothing(tmp_path):
     run = made(tmp_path)
     page = write_report(run.path)
-    picture, said = screenshot(page, "one lamp", tmp_path / "lamp.png")
+    picture, output = screenshot(page, "one lamp", tmp_path / "lamp.png")
     # The page's policy would name here what it had to forbid.
     wrong = ("violates", "Uncaught", "Failed to load", "ERR_")
-    assert not [line for line in said.splitlines() if any(word in line for word in wrong)]
+    assert not [line for line in output.splitlines() if any(word in line for word in wrong)]
     # The ball is grey; the page behind it is bluish.
     view = picture[110:580, 100:900]
     grey = (np.ptp(view, axis=-1) < 6) & (view[..., 0] < 200)

@@ -104,10 +104,10 @@ def test_within_the_band_the_surface_is_that_of_the_whole_lattice():
     whole, near = extract(net, GRID), extract(net, GRID, band)
     assert torch.equal(near.faces, whole.faces)
     torch.testing.assert_close(near.verts, whole.verts)
-    assert not torch.equal(near.sdf, whole.sdf)  # far away the old values stand
+    assert not torch.equal(near.sdf, whole.sdf)  # far away the old values stay
 
 
-def test_the_band_reaches_as_far_as_it_is_told():
+def test_the_band_reaches_as_far_as_requested():
     """About a single inner node: it and its neighbours, one cell away, and two cells more."""
 
     class Point(SdfNet):

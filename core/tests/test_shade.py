@@ -32,7 +32,7 @@ def test_white_furnace(furnace: Environment, roughness: float) -> None:
     """Under a uniform light of 1 a white surface sends out 1, less what one bounce cannot.
 
     A metal gives back its albedo, as GGX loses what bounces between microfacets (40 to 70 % are
-    left at roughness 1, by the angle). A white dielectric loses only the coat's share of that.
+    left at roughness 1, by the angle). A white dielectric loses only the coat's part of that.
     """
     white, rough = torch.ones(N, 3), roughness * ONES
     metal = shade(NORMAL, VIEW, white, rough, ONES, furnace)
@@ -56,9 +56,9 @@ def test_matte_surface_shows_its_colour_times_the_light(sky: Environment) -> Non
     kd = torch.tensor([0.8, 0.4, 0.0]).expand(N, 3)
     dark = shade(NORMAL, NORMAL, 0 * kd, ONES, 0 * ONES, sky)
     matte = shade(NORMAL, NORMAL, kd, ONES, 0 * ONES, sky) - dark
-    share = matte[:, :2] / (kd * sky.irradiance(NORMAL))[:, :2]
-    assert float(share.min()) > 0.91
-    assert float(share.max()) < 0.97
+    fraction = matte[:, :2] / (kd * sky.irradiance(NORMAL))[:, :2]
+    assert float(fraction.min()) > 0.91
+    assert float(fraction.max()) < 0.97
     assert float(matte[:, 2].abs().max()) < 1e-6
 
 

@@ -224,7 +224,7 @@ def test_what_usd_names_is_there(exported) -> None:
 
 
 def test_usd_takes_a_name_with_its_own_mark_of_a_path() -> None:
-    """OpenUSD: an asset path that holds an @ stands between three of them."""
+    """OpenUSD: an asset path that contains an @ is between three of them."""
     assert _asset_path("./a@2x_parts/orm.png") == "@@@./a@2x_parts/orm.png@@@"
     assert _asset_path("./a_parts/orm.png") == "@./a_parts/orm.png@"
 

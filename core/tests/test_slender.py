@@ -103,10 +103,10 @@ def test_a_sword_is_slender(sword):
 
 
 def test_by_a_guide_that_is_wide_it_is_not_cut_off(sword):
-    """A guide that lies along x: looked at 2.4 times as wide, its ends would be out of the cube."""
+    """A guide along x: looked at 2.4 times as wide, its ends would be out of the cube."""
     one, half = sword(0), torch.tensor([0.85, 0.1, 0.3])
     frame = in_box(one.solid, torch.stack([-half, half]), 0.01).frame
-    lying = BentSolid(one.solid.net, one.solid.triplane, frame)
-    parts = PromptedBuiltin(one.builtin, one.words, one.negative, lying).parts()
+    bent = BentSolid(one.solid.net, one.solid.triplane, frame)
+    parts = PromptedBuiltin(one.builtin, one.words, one.negative, bent).parts()
     made = assembled(parts, False, 0.05, lambda _: None)
     assert made[0][:, 0].amax() > 0.8 > EXTENT / 2.4

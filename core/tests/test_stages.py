@@ -101,7 +101,7 @@ def setup_of(config, g, run, seed=5):
     return Setup(training, g, config)
 
 
-def test_the_rate_ends_at_its_share():
+def test_the_rate_ends_at_its_fraction():
     assert decayed(2.0, 0.25, 0.0) == 2.0
     assert decayed(2.0, 0.25, 0.5) == 1.0
     assert decayed(2.0, 0.25, 1.0) == 0.5
@@ -330,7 +330,7 @@ def test_a_surface_that_is_gone_at_the_end_is_a_sentence(tmp_path):
 
 
 def test_a_vanished_surface_goes_back_and_then_ends_with_a_sentence(tmp_path):
-    """Ψ starts all outside: nothing can bring it back, and the run says so with status 5."""
+    """Ψ starts all outside: nothing can bring it back, and the run exits with code 5."""
     net = start_net()
     with torch.no_grad():
         net.mlp[-1].bias[0] += 10

@@ -1,4 +1,4 @@
-"""Struts between components that stand apart: one closed solid, the strut where a mast would be."""
+"""Struts between separate components: one closed solid, the strut where a mast would be."""
 
 import math
 from dataclasses import replace
@@ -70,7 +70,7 @@ class TwoBalls(SdfNet):
 
 
 @pytest.mark.parametrize(("join", "components"), [(True, 1), (False, 2)])
-def test_the_finished_mesh_is_joined_where_the_config_says_so(join, components):
+def test_the_finished_mesh_is_joined_where_the_config_states_so(join, components):
     verts, faces = final_mesh(TwoBalls(GRID.cell), GRID, replace(DRAFT.geometry, join=join))
     assert health(verts, faces)["components"] == components
 
@@ -101,7 +101,7 @@ def test_a_back_over_a_seat_stands_on_two_posts():
     for x, (p, q) in zip((-0.38, 0.38), (left, right), strict=True):
         np.testing.assert_allclose(p, [x, 0.4, 0.1], atol=0.026)
         np.testing.assert_allclose(q, [p[0], 0.4, 0.0], atol=1e-6)
-    # What is as near in one place alone stands there.
+    # A strut that is as near in one place alone is there.
     assert len(struts(back + np.array([0, 0, 1.0]) * np.abs(back[:, :1]), seat)) == 1
 
 

@@ -176,7 +176,7 @@ def test_ctrl_c_while_python_starts_is_one_line_and_130():
 
 
 @pytest.mark.parametrize(
-    "said",
+    "output",
     [
         "CUDA error: out of memory\nCUDA kernel errors might be asynchronously reported",
         "MPS backend out of memory (MPS allocated: 6.00 GB, other allocations: 3.0 GB)",
@@ -184,9 +184,9 @@ def test_ctrl_c_while_python_starts_is_one_line_and_130():
         "[enforce fail at alloc_cpu.cpp:117] DefaultCPUAllocator: can't allocate memory",
     ],
 )
-def test_a_lack_of_memory_is_known_by_what_torch_says(said):
+def test_a_lack_of_memory_is_known_by_torchs_message(output):
     """These have no type of their own; a batch goes on with smaller parts by the exit code."""
-    known = sentence_of(RuntimeError(said))
+    known = sentence_of(RuntimeError(output))
     assert known and known.status == 4
     assert sentence_of(RuntimeError("CUDA error: an illegal memory access")) is None
 

@@ -36,7 +36,7 @@ def test_tets_fit_face_to_face():
     assert count.max() == 2
 
 
-def test_nodes_are_where_the_docstring_says():
+def test_nodes_are_where_the_docstring_states():
     grid = tet_grid(4, extent=1.0)
     i, j, k = 1, 3, 2
     node = grid.tet_verts[(i * 5 + j) * 5 + k]

@@ -12,7 +12,7 @@ SIZE = 64
 
 
 def test_round_trip() -> None:
-    """A point's uv lies in the texel that it was found for, at one of its grid points."""
+    """A point's uv is in the texel that it was found for, at one of its grid points."""
     uv, face_uvs = torus_uv()
     texels = texel_points(uv, face_uvs, SIZE, 4)
     at = torch.einsum("nk,nkc->nc", texels.bary, uv[face_uvs[texels.face]])

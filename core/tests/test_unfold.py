@@ -24,7 +24,7 @@ def against(verts: np.ndarray, faces: np.ndarray) -> int:
 
 
 def folded_ball() -> tuple[np.ndarray, np.ndarray]:
-    """Vertices of a ball pushed over their neighbours, so that faces lie on others' backs."""
+    """Vertices of a ball pushed over their neighbours, so that faces are on others' backs."""
     verts, faces = (x.numpy() for x in sphere(4)[:2])
     verts = unit(verts.astype(np.float64))
     for vertex in range(20, len(verts), 97):

@@ -79,7 +79,7 @@ def test_corners_of_a_vertex_are_its_own(atlas) -> None:
 
 
 def test_islands_keep_their_distance(atlas) -> None:
-    """No texel of one island lies in the padding of another, nor does their padding meet."""
+    """No texel of one island is in the padding of another, nor does their padding meet."""
     uv, face_uvs = atlas[2]
     texels = texel_points(uv, face_uvs, SIZE, 4)
     owner = torch.full((SIZE * SIZE,), -1)
@@ -148,7 +148,7 @@ def test_so_many_islands_that_the_gaps_fill_it(monkeypatch) -> None:
 
 
 def coiled_steps() -> tuple[torch.Tensor, torch.Tensor]:
-    """A stair that winds six times: seen from above it lies over itself."""
+    """A stair that winds six times: seen from above it overlaps itself."""
     angle = torch.linspace(0, 12 * torch.pi, 600)
     rails = [torch.stack([r * angle.cos(), r * angle.sin(), 0.1 * angle], 1) for r in (0.2, 1.0)]
     i = 2 * torch.arange(599)
@@ -197,12 +197,12 @@ def test_any_mesh_gets_a_sound_uv(mesh: tuple, monkeypatch) -> None:
     monkeypatch.setattr(packing, "CLOSER_PASSES", 1)
     atlas = unwrap(*mesh, 1024)
     assert uv_faults(*atlas) == []
-    told = uv_health(Mesh(*mesh, *atlas))
-    assert told["uv_stretch"] < 1.15
-    assert told["uv_flat"] == 0
+    report = uv_health(Mesh(*mesh, *atlas))
+    assert report["uv_stretch"] < 1.15
+    assert report["uv_flat"] == 0
 
 
-def test_a_chart_is_cut_until_it_does_not_lie_over_itself() -> None:
+def test_a_chart_is_cut_until_it_does_not_overlap_itself() -> None:
     verts, faces = bookcase()
     p, f = at_unit_size(verts.double().numpy()), faces.long().numpy()
     uv, face_uvs, chart = flat_charts(p, f, charts(p, f), lambda _: None)
@@ -219,7 +219,7 @@ def test_faces_without_area_are_no_fault() -> None:
         assert atlas.uv.amax() <= 1
 
 
-def test_what_lies_over_itself_or_shrank_is_told() -> None:
+def test_what_overlaps_itself_or_shrank_is_reported() -> None:
     uv = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
     apart, over = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0, 1, 2], [0, 1, 3]])
     assert not overlapping(uv, apart, np.zeros(2, np.int64)).any()
@@ -230,8 +230,8 @@ def test_what_lies_over_itself_or_shrank_is_told() -> None:
     assert squashed(uv[apart], np.array([0.5, 2.1])).tolist() == [False, True]
 
 
-def test_a_chart_that_folds_to_a_point_is_cut_until_it_lies_flat() -> None:
-    # A fold of a coarse mesh, closed but for a slit: as one chart all of it lies face down.
+def test_a_chart_that_folds_to_a_point_is_cut_until_it_is_flat() -> None:
+    # A fold of a coarse mesh, closed but for a slit: as one chart all of it is face down.
     tip = [(0.358, -0.328, 0), (0.409, -0.263, 0), (0.342, -0.304, 0.036), (0.366, -0.25, -0.079)]
     verts = np.array([*tip, (0.393, -0.285, 0)])
     faces = np.array([[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 1]])
@@ -247,9 +247,9 @@ def test_a_large_mesh_takes_seconds_and_fills_half(monkeypatch) -> None:
     start = time.process_time()
     atlas = unwrap(verts, faces, 1024)
     assert time.process_time() - start < 60
-    told = uv_health(Mesh(verts, faces, *atlas))
-    assert told["uv_fill"] > 0.5
-    assert told["uv_stretch"] < 1.05
+    report = uv_health(Mesh(verts, faces, *atlas))
+    assert report["uv_fill"] > 0.5
+    assert report["uv_stretch"] < 1.05
     assert uv_faults(*atlas) == []
 
 

@@ -58,7 +58,7 @@ def test_faces_are_those_that_rays_hit_first(
     assert float((seen >= 0).float().mean()) > 0.03
     different = (seen != hit).nonzero().squeeze(1)
     assert len(different) < 0.01 * len(seen)
-    # Where they differ the ray passes an edge as closely as single precision tells.
+    # Where they differ the ray passes an edge as closely as single precision shows.
     for faced in (seen, hit):
         pixel = different[faced[different] >= 0]
         view, corners = pixel // size**2, faces[faced[pixel]]

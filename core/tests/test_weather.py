@@ -37,9 +37,9 @@ def test_the_words_are_those_that_there_is_a_look_of():
 
 
 @pytest.mark.parametrize(("name", "least"), [("mossy", 0.3), ("snowy", 0.8), ("dusty", 0.3)])
-def test_what_falls_or_grows_lies_on_what_looks_up(name, least):
-    above, beside, below = (cover(name, up) for up in (1.0, 0.0, -1.0))
-    assert above - beside > least and beside - below >= -1e-6
+def test_what_falls_or_grows_is_on_what_looks_up(name, least):
+    above, side, below = (cover(name, up) for up in (1.0, 0.0, -1.0))
+    assert above - side > least and side - below >= -1e-6
 
 
 def test_dirt_and_moss_gather_in_corners_and_edges_are_rubbed():
@@ -71,9 +71,9 @@ def test_an_edge_stands_out_a_corner_is_hollow_and_a_plane_is_neither():
     for _ in range(4):
         box = box.subdivide()
     verts, faces = torch.tensor(box.vertices).float(), torch.tensor(box.faces)
-    stands = convexity(verts, faces)[:, 0]
+    height = convexity(verts, faces)[:, 0]
     on_edge = (verts.abs() > 0.499).sum(1) >= 2
-    assert stands[on_edge].min() > 0.15 and stands[~on_edge].abs().max() < 1e-4
+    assert height[on_edge].min() > 0.15 and height[~on_edge].abs().max() < 1e-4
     # Of a cube of twelve triangles the faces would be all edge.
     few = trimesh.creation.box((1.0, 1.0, 1.0))
     assert convexity(torch.tensor(few.vertices).float(), torch.tensor(few.faces)).max() < 0.1
@@ -136,7 +136,7 @@ def test_what_the_weather_leaves_bare_keeps_its_colour(name, dark):
     assert (new.kd - old.kd).abs().max() > 0.1  # it is seen
 
 
-def test_snow_does_not_lie_on_flames():
+def test_no_snow_is_on_flames():
     words = parse("a snow covered campfire")
     found = {part.name: surface_of(words, part) for part in painted("campfire", words)}
     assert found["flame"].weather == () and found["logs"].weather == ("snowy",)

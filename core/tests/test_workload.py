@@ -26,7 +26,7 @@ def test_the_papers_schedule_by_hand():
 
 
 def test_the_calls_of_a_training_are_those_that_are_counted(tmp_path):
-    """Its rounds of fitting too, of which every step encodes pictures again."""
+    """Its rounds of fitting too, where every step encodes pictures again."""
     counted = guidance()
     predict, encode = counted.predict, counted.encode_normals
     predictions, encodings = [], []

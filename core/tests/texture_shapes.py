@@ -13,7 +13,7 @@ OPEN = MaterialRanges((0.05, 0.95), (0.0, 1.0))
 
 
 def area(plain: bool = True, surface: Surface | None = None) -> Area:
-    """What is meant by an area of which nothing else matters."""
+    """What is meant by an area where nothing else matters."""
     return Area(plain, OPEN, surface or Surface("plain", (0.5, 0.5, 0.5)))
 
 

@@ -83,7 +83,7 @@ def made(run: Path) -> dict[str, bytes]:
 
 
 def names(run: Path) -> set[str]:
-    """All that lies in a run folder; there is a log only where a bug was met."""
+    """All files in a run folder; there is a log only after a bug."""
     return {path.relative_to(run).as_posix() for path in run.rglob("*")}
 
 
@@ -108,7 +108,7 @@ def coarsely_drawn() -> list[Any]:
 
 
 def _made_once() -> list[Any]:
-    """The packing too, and by fewer passes; and what a network says of the same pictures."""
+    """The packing too, and by fewer passes; and a network's answer for the same pictures."""
     return [
         *loaded_once(),
         mock.patch.object(UNet, "forward", predicted_once()),
