@@ -288,7 +288,7 @@ def _steps(config) -> int:
 
 
 def test_no_setting_draws_another_shape_than_a_guide_that_is_kept() -> None:
-    """The drawn one's parts would be right only if the guide were in the training's cube already."""
+    """The drawn parts would be right only if the guide were in the training's cube already."""
     settings = {"geometry.start": "learned"}
     options = {"prompt": "a chair", "guide_mesh": "guide.obj", "settings": settings}
     assert config_of(Job(**options, guide_strength=1)).geometry.start == "ellipsoid"
