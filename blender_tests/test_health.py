@@ -140,7 +140,7 @@ def test_the_scale_of_a_shared_mesh_is_left_and_that_is_reported(addon, tmp_path
     obj = made(tmp_path, holed())
     obj.scale = (2, 2, 2)
     obj.data.use_fake_user = True  # which is no other object
-    copy = bpy.data.objects.new("twin", obj.data)
+    copy = bpy.data.objects.new("copy", obj.data)
     with pytest.raises(AddonError, match=r"share the mesh.*Make Single User"):
         health.repair(obj, "SCALE")
     assert health.repair(obj) == ("HOLES",)

@@ -34,8 +34,8 @@ assert bpy.ops.fantasia3d.check_mesh() == {{"FINISHED"}}
 assert bpy.ops.fantasia3d.export(filepath={glb!r}) == {{"FINISHED"}}
 root = environment.project_root()
 has_core = (root / "core" / "__main__.py").is_file()
-told = {{"file": module.__file__, "root": str(root), "core": has_core}}
-Path({out!r}).write_text(json.dumps(told))
+facts = {{"file": module.__file__, "root": str(root), "core": has_core}}
+Path({out!r}).write_text(json.dumps(facts))
 """
 
 
@@ -119,7 +119,7 @@ def test_installed_in_a_blender_of_its_own_it_works_and_goes_without_a_trace(pac
     """Under the bpy module, in a process whose user folder is new."""
     user, asset = tmp_path / "user ü", write_asset(tmp_path / "asset")
     use = USE.format(
-        module=MODULE, asset=str(asset), glb=str(tmp_path / "x.glb"), out=str(tmp_path / "told")
+        module=MODULE, asset=str(asset), glb=str(tmp_path / "x.glb"), out=str(tmp_path / "facts")
     )
     code = (
         "import bpy, os, sys\n"
@@ -140,8 +140,8 @@ def test_installed_in_a_blender_of_its_own_it_works_and_goes_without_a_trace(pac
         cwd=tmp_path,
     )  # fmt: skip
     assert done.stdout.strip().endswith("fine"), done.stdout[-1500:] + done.stderr[-3000:]
-    assert '"core": true' in (tmp_path / "told").read_text()
-    assert str(user) in (tmp_path / "told").read_text().encode().decode("unicode_escape")
+    assert '"core": true' in (tmp_path / "facts").read_text()
+    assert str(user) in (tmp_path / "facts").read_text().encode().decode("unicode_escape")
     assert (tmp_path / "x.glb").stat().st_size > 1000
     assert not list((user / "extensions" / "user_default").glob("fantasia3d*"))
 
@@ -171,11 +171,14 @@ def test_blenders_own_command_line_installs_it_and_takes_it_away(package, tmp_pa
     call("--command", "extension", "install-file", "-r", "user_default", "-e", str(package))
     (tmp_path / "use.py").write_text(
         USE.format(
-            module=MODULE, asset=str(asset), glb=str(tmp_path / "x.glb"), out=str(tmp_path / "told")
+            module=MODULE,
+            asset=str(asset),
+            glb=str(tmp_path / "x.glb"),
+            out=str(tmp_path / "facts"),
         )
     )
     call("-b", "--python-exit-code", "1", "--python", str(tmp_path / "use.py"))
-    assert '"core": true' in (tmp_path / "told").read_text()
+    assert '"core": true' in (tmp_path / "facts").read_text()
     assert (tmp_path / "x.glb").is_file()
     assert "fantasia3d" in call("--command", "extension", "list")
     call("--command", "extension", "remove", "fantasia3d")

@@ -108,7 +108,7 @@ def test_what_is_scaled_to_nothing_has_its_origin_moved_too(asset):
 
 def test_a_shared_mesh_is_left_alone(asset):
     obj = import_asset(bpy.context, asset)
-    bpy.data.objects.new("twin", obj.data)
+    bpy.data.objects.new("copy", obj.data)
     with pytest.raises(AddonError, match="shares its mesh"):
         placement.origin_to_base(obj)
 

@@ -54,23 +54,23 @@ def test_what_is_written_or_drawn_on_it_is_named():
 
 
 def test_what_goes_with_it_comes_last():
-    told = {
+    lines = {
         "a white rabbit on a wooden chair": "rabbit, white, on: wooden chair",
         "a cat wearing a santa hat": "cat, wears: red beanie (white brim, white pompom)",
         "a robot holding a sign that says HELLO": 'robot, holds: signpost ("HELLO")',
     }
-    for prompt, line in told.items():
+    for prompt, line in lines.items():
         assert words.summary(words.ask(CORE, (prompt, False))) == line
 
 
 def test_how_many_there_are_is_reported():
-    told = {
+    lines = {
         "three red apples": "3 × apple, red",
         "a pile of skulls": "7 × skull",
         "an apple": "apple",
         "a basket of green apples": "basket, bears: 6 × green apple",
     }
-    for prompt, line in told.items():
+    for prompt, line in lines.items():
         assert words.summary(words.ask(CORE, (prompt, False))) == line
 
 

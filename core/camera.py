@@ -60,7 +60,7 @@ class Cameras:
         return Cameras(**{name: change(tensor) for name, tensor in self.tensors().items()})
 
     def tensors(self) -> dict[str, Tensor]:
-        """What there is of the fields, by name."""
+        """The fields that are set, by name."""
         return {name: tensor for name, tensor in vars(self).items() if tensor is not None}
 
     def close_up(self, center: Float[Tensor, "b 2"], zoom: Float[Tensor, " b"]) -> "Cameras":

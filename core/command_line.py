@@ -1,4 +1,4 @@
-"""What the core's commands do; their options are in ``core.options``.
+"""The core's commands; their options are in ``core.options``.
 
 Standard library only until a command is carried out: torch takes seconds to load, and a wrong
 option must not wait for it.
@@ -178,7 +178,7 @@ def _resume_elsewhere(args: argparse.Namespace) -> Path | None:
 
 
 def _follow() -> None:
-    """Of the processes that torchrun has started, all but the first take part and write nothing."""
+    """Of torchrun's processes, all but the first take part and write nothing."""
     from core.together import follow, place
 
     if place():

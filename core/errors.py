@@ -1,4 +1,4 @@
-"""What a user can fix. Anything else keeps its traceback."""
+"""Errors that a user can fix. Anything else keeps its traceback."""
 
 MAX_SHOWN = 80  # characters of a value from outside in a sentence
 

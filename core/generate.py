@@ -282,21 +282,21 @@ def facing(run: RunFolder, inputs: Inputs, progress: Progress) -> Inputs:
 
 
 def needed_of(job: Job) -> Needed:
-    """What ``job`` takes from its mesh file besides the shape."""
+    """The data that ``job`` needs of its mesh file besides the shape."""
     if job.base_color == OWN:
         return "texture"
     return "uv" if job.base_color or job.uv == "keep" else ""
 
 
 def prompt_of(job: Job, asset: Asset | None) -> str:
-    """What the guidance is asked for: the whole thing, also where a region's words name a part."""
+    """The guidance's prompt: the whole thing, also where a region's words name a part."""
     if asset is None or job.guidance != "builtin":
         return job.prompt
     return of_whole(job.prompt, str(asset.info.get("prompt", "")))
 
 
 def region_of(job: Job, asset: Asset) -> Region:
-    """What ``job`` keeps of its asset, and the faces that it changes."""
+    """The asset that ``job`` keeps, and the faces that it changes."""
     size = len(asset.maps.base_color)
     if config_of(job).texture.size != size:
         raise UserError(
@@ -311,7 +311,7 @@ def region_of(job: Job, asset: Asset) -> Region:
 
 
 def paused(run: RunFolder, until: str) -> Paused:
-    """What ends a session that was to come only so far."""
+    """The error that ends a session at its requested pause."""
     what = {"shape": "The shape", "color": "The material"}[until]
     return Paused(f"{what} is ready to look at.", f"Finish it: run.py resume {run.path}")
 
@@ -390,7 +390,7 @@ def views_of(config: Config) -> dict[str, int]:
 
 
 def info_of(job: Job, run: RunFolder) -> dict:
-    """What asset.json states about the making."""
+    """The facts in asset.json about the origin."""
     names = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
     words = {key: value for key, value in asdict(job).items() if key in names}
     timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}

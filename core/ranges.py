@@ -29,7 +29,7 @@ class Range:
 
 
 class Squares(Range):
-    """Of these the square numbers, as of what is laid out in rows and columns."""
+    """The square numbers among these, for layouts in rows and columns."""
 
     def allows(self, value: Any) -> bool:
         return super().allows(value) and math.isqrt(value) ** 2 == value

@@ -40,7 +40,7 @@ class Ranks:
 
     @property
     def own(self) -> slice:
-        """Which of a step's views this process renders."""
+        """The views of a step that this process renders."""
         return slice(self.rank, None, self.world)
 
     def sum(self, x: Tensor) -> Tensor:
@@ -129,7 +129,7 @@ ALONE = Ranks()
 
 
 def rank_in(environ: Mapping[str, str] = os.environ) -> int | None:
-    """Which process this is of several, as torchrun sets it; None where it is alone."""
+    """The number of this process among several, as torchrun sets it; None where it is alone."""
     if not all(environ.get(name) for name in NEEDED) or environ["WORLD_SIZE"] == "1":
         return None
     return int(environ["RANK"])

@@ -1,4 +1,4 @@
-"""What a command prints, and the exit code that it ends with.
+"""A command's output and exit code.
 
 Standard library only, and read by any Python that run.py starts under.
 """

@@ -170,7 +170,7 @@ class Followed(RunFolder):
 
     @property
     def job(self) -> Job:
-        """What the user asked for."""
+        """The user's job."""
         return self._job
 
     def report(self, type: str, **fields: Any) -> None:

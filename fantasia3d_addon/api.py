@@ -1,4 +1,4 @@
-"""What scripts may rely on: the names that docs/recipes.md uses.
+"""The stable names for scripts, as docs/recipes.md uses them.
 
 Everything else in this package may move. Functions raise :class:`AddonError` (a sentence and its
 fix) for what the user can repair.

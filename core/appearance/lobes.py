@@ -36,7 +36,7 @@ ROWS = (256, 256, 128, 128, 64, 64, 32, 32)
 
 @cache
 def lobe_table() -> Float[Tensor, "channels rows columns"]:
-    """What the fit wrote."""
+    """The fitted numbers."""
     return load_file(FILE)["lobes"]
 
 

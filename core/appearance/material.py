@@ -19,7 +19,7 @@ from core.ops import constant, linear_to_srgb, normalize, srgb_to_linear
 
 
 class Material(NamedTuple):
-    """What the surface is made of at N points."""
+    """The material at N points."""
 
     kd: Float[Tensor, "n 3"]  # base colour, linear Rec.709
     roughness: Float[Tensor, "n 1"]

@@ -1,4 +1,4 @@
-"""What the object itself hides of the light, and what it gives back instead.
+"""The light that the object hides from itself, and the light that it reflects instead.
 
 Cycles lets an object shadow itself and shine on itself; Eqs. 7 and 8 alone do neither. On the
 finished shape, each vertex looks around once. The light that reaches it is then a product with a
@@ -33,7 +33,7 @@ CHANNELS = 3 + 1 + len(DEGREES)  # 20
 
 @dataclass(frozen=True)
 class VertexVisibility:
-    """What V vertices see of K directions."""
+    """The visibility of K directions from V vertices."""
 
     directions: Float[Tensor, "k 3"]
     cosine: Float[Tensor, "v k"]  # to the normal, no less than 0, times solid angle by π

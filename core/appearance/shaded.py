@@ -60,7 +60,7 @@ class UvMesh:
 
 
 class Shaded(NamedTuple):
-    """What :func:`render_shaded` saw."""
+    """The result of :func:`render_shaded`."""
 
     srgb: Float[Tensor, "b h w 3"]  # over black, weighted by coverage
     o: Float[Tensor, "b h w 1"]  # coverage

@@ -83,7 +83,7 @@ class RayPool:
         self._running[made] = (task, time.monotonic())
 
     def wait(self, seconds: float) -> list[tuple[Task, End]]:
-        """What has ended, after ``seconds`` at the latest; checkpoints that came are written."""
+        """The ended tasks, after ``seconds`` at the latest; received checkpoints are written."""
         until, ended = time.monotonic() + seconds, []
         while not ended and (left := until - time.monotonic()) > 0:
             if not self._running:
@@ -167,7 +167,7 @@ def _path() -> str:
 
 
 def _jobs_options(args: Namespace) -> list[str]:
-    """Of a head: its Jobs interface, beyond this machine only where Ray asks for a token."""
+    """A head's options for its Jobs interface, open beyond this machine only with Ray's token."""
     if not args.jobs:
         return ["--include-dashboard=false"]
     if find_spec("aiohttp_cors") is None:  # of ray[default] alone

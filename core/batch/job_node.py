@@ -1,4 +1,4 @@
-"""What a Ray job does with one asset, on the cluster: ``python -m core.batch.job_node``.
+"""The Ray job for one asset, on the cluster: ``python -m core.batch.job_node``.
 
 Its folder holds ``order.json`` and ``parcel.tar``. All that comes back is what it prints: each line
 that starts with ``MARK`` is JSON with an event, or a parcel of files in Base64. Standard library
@@ -90,7 +90,7 @@ def unpacked(text: str) -> bytes:
 
 
 def messages(log: str, seen: int) -> Iterator[dict[str, Any]]:
-    """What a job has sent after its first ``seen`` messages; a line that is not whole waits."""
+    """A job's messages after its first ``seen``; an incomplete line waits."""
     whole = log[: log.rfind("\n") + 1].splitlines()
     lines = [line for line in whole if line.startswith(MARK)]
     for line in lines[seen:]:

@@ -65,7 +65,7 @@ class Jobs:
         return str(found.get("status")), str(found.get("message") or "")
 
     def log(self, job: str) -> str:
-        """What a job has printed from its start."""
+        """A job's output from its start."""
         return str(self._json("GET", f"/api/jobs/{quote(job)}/logs").get("logs") or "")
 
     def stop(self, job: str) -> None:

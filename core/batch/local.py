@@ -43,7 +43,7 @@ class LocalPool:
         self._running.append((task, attempt, gpu))
 
     def wait(self, seconds: float) -> list[tuple[Task, End]]:
-        """What has ended, after ``seconds`` at the latest."""
+        """The ended attempts, after ``seconds`` at the latest."""
         until = time.monotonic() + seconds
         while True:
             found = [(entry, entry[1].poll()) for entry in self._running]
@@ -66,7 +66,7 @@ class LocalPool:
 
 
 def visible_name(gpu: int) -> str:
-    """What CUDA_VISIBLE_DEVICES calls the GPU of number ``gpu`` among those this process sees.
+    """The name in CUDA_VISIBLE_DEVICES of GPU number ``gpu`` among those this process sees.
 
     Where the variable is set already, as a job scheduler does, that is one of its own entries: an
     index of the machine's, a UUID or a MIG part's name.

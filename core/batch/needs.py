@@ -1,4 +1,4 @@
-"""What one asset takes of a machine, by its guidance, and how many fit at once."""
+"""The resources that one asset needs, by its guidance, and how many fit at once."""
 
 import os
 import re
@@ -24,7 +24,7 @@ BUILTIN_GPU = 0.25  # of a GPU: its networks and pictures of 64² leave most of 
 
 @dataclass(frozen=True)
 class Needs:
-    """Of one asset while it is made."""
+    """The resources of one asset while it is made."""
 
     cpus: int
     memory: int  # bytes
@@ -37,7 +37,7 @@ class Needs:
 
 
 def needs_of(job: Job, has_gpu: bool) -> Needs:
-    """What ``job`` takes on a machine with or without a CUDA GPU."""
+    """The needs of ``job`` on a machine with or without a CUDA GPU."""
     on_gpu = job.device.split(":")[0] == "cuda" or (job.device == "auto" and has_gpu)
     card = card_of(job.device)
     cards = frozenset() if card is None else frozenset({card})

@@ -1,4 +1,4 @@
-"""What a node of a cluster does with one asset: unpack, run the core, send its files back.
+"""A cluster node's work on one asset: unpack, run the core, send its files back.
 
 Standard library only: a worker that waits for a process needs no torch.
 """
@@ -21,7 +21,7 @@ PAUSE = 0.5  # seconds between two looks at the process
 
 @dataclass(frozen=True)
 class Order:
-    """What a node is asked to do with a parcel."""
+    """A node's order for a parcel."""
 
     name: str
     command: Sequence[str]

@@ -28,7 +28,7 @@ RECEIVED = ".fantasia3d-received"  # an asset appears by rename, here as well
 
 
 def outward(folder: Path) -> bytes:
-    """What another machine needs to go on with the run ``folder``, with the files of its job."""
+    """The files that another machine needs to continue the run ``folder``, with its job's files."""
     job, files = with_inputs(_job(folder))
     # The number of a GPU is this machine's; the cluster gives each asset one of its own.
     if job.device.startswith("cuda:"):

@@ -1,4 +1,4 @@
-"""Which asset of a batch goes to which folder: named by a hash of what decides the result."""
+"""The folder of each asset of a batch, named by a hash of all that decides the result."""
 
 import dataclasses
 import hashlib
@@ -35,7 +35,7 @@ class Task:
 
     @property
     def name(self) -> str:
-        """What the user calls it; else its folder, or its prompt where it has none."""
+        """The user's name for it; else its folder, or its prompt where it has none."""
         return self.row.name or (self.folder.name if self.folder else slug(self.row.prompt))
 
 

@@ -161,7 +161,7 @@ def zipped(files: Mapping[str, bytes]) -> bytes:
 
 
 def request_of(job_id: str, uri: str, job: Job) -> dict[str, Any]:
-    """What Ray is asked for: a core, and a GPU for a checkpoint that is to run on one."""
+    """The resources to request from Ray: a core, and a GPU for a checkpoint that runs on one."""
     on_gpu = job.device.split(":")[0] == "cuda" or (
         job.device == "auto" and job.guidance != BUILTIN
     )

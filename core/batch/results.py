@@ -1,4 +1,4 @@
-"""What a batch has made: a row for each of the table's rows, and its CSV file."""
+"""The results of a batch: a row for each of the table's rows, and its CSV file."""
 
 import csv
 import io
@@ -38,7 +38,7 @@ class Result:
 
 
 def result_of(task: Task, states: Mapping[Path, State]) -> Result:
-    """What ``task`` has come to, from its run folder and this call's ``states``."""
+    """The result of ``task``, from its run folder and this call's ``states``."""
     row = {"name": task.name, "line": task.row.line, "prompt": task.row.prompt}
     if task.folder is None or task.job is None:
         return Result(state="failed", folder="", seed="", text=task.error, **row, **_nothing())

@@ -47,7 +47,7 @@ class Pool(Protocol):
         ...
 
     def wait(self, seconds: float) -> list[tuple[Task, End]]:
-        """What has ended, after ``seconds`` at the latest."""
+        """The ended attempts, after ``seconds`` at the latest."""
         ...
 
     def stop(self) -> None:
@@ -57,7 +57,7 @@ class Pool(Protocol):
 
 @dataclass
 class State:
-    """What became of one run folder in this call."""
+    """The state of one run folder in this call."""
 
     attempts: int = 0
     end: End | None = None  # of its last attempt
@@ -164,7 +164,7 @@ def is_done(task: Task) -> bool:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """What resume needs, of a run that is done: two thirds of its bytes."""
+    """Remove a finished run's checkpoints: two thirds of its bytes."""
     for file in (folder / "checkpoint").glob("*.safetensors"):
         file.unlink()
 

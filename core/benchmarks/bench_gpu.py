@@ -27,7 +27,7 @@ def iteration_ms(
     views: int,
     size: int,
 ) -> tuple[float, float]:
-    """Of one coarse step: the renderer alone, forward and backward, and with the noise prediction.
+    """Times of a coarse step: the renderer forward and backward, and with the noise prediction.
 
     The prediction is the one of classifier-free guidance, so of 2 * ``views`` latents.
     """

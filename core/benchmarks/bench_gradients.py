@@ -28,7 +28,7 @@ class Slope(NamedTuple):
 
 @dataclass(frozen=True)
 class GradientError:
-    """Of the mask, of the normals, and of the normals where no outline comes near.
+    """Errors of the mask, of the normals, and of the normals where no outline comes near.
 
     The first two against area averages. The last one against pictures of the same size: the area
     between the outlines is sampled at the pixels' centres in both.
@@ -87,7 +87,7 @@ def gradient_error(
     inner = weight * (1 - near)[..., None]
 
     def sums(picture: Float[Tensor, "b s s 4"]) -> Float[Tensor, "n 3"]:
-        """Of the mask, the normals, and the normals inside."""
+        """Those of the mask, the normals, and the normals inside."""
         n, o = (picture * weight).split((3, 1), -1)
         parts = (o, n, (picture * inner)[..., :3])
         return torch.stack([part.mean((1, 2, 3)).sum(-1) for part in parts], -1)

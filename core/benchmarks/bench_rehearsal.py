@@ -57,7 +57,7 @@ SCALES = ("full", "tiny")
 
 @dataclass(frozen=True)
 class Rehearsal:
-    """What is rehearsed."""
+    """The settings of a rehearsal."""
 
     architecture: str
     scale: str = "full"
@@ -129,7 +129,7 @@ def random_guidance(rehearsal: Rehearsal, device: torch.device) -> PromptedStabl
 
 
 def configurations(rehearsal: Rehearsal) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Of the U-Net and of the VAE: the shipped ones, or the same blocks with small widths."""
+    """Configurations of U-Net and VAE: the shipped ones, or the same blocks with small widths."""
     folder = CONFIGURATIONS / ARCHITECTURES[rehearsal.architecture]
     unet, vae = (read_json(folder / part / "config.json") for part in ("unet", "vae"))
     if rehearsal.architecture == "mvdream":

@@ -108,7 +108,7 @@ def _apart(one: Points, other: Points) -> float:
 
 
 def summary(scores: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
-    """Of all nouns: how many have what an artist sees."""
+    """Rows for all nouns: how many pass each measure."""
 
     def fraction(holds: Any) -> float:
         return float(np.mean([holds(one) for one in scores.values()]))

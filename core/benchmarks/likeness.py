@@ -134,7 +134,7 @@ def objects(noun: str, count: int = REFERENCES) -> tuple[Surface, ...]:
 
 @cache
 def _usual_missing(noun: str) -> float:
-    """What the noun's objects lack of one another, the least for each, in the mean."""
+    """The fraction that the noun's objects lack of one another, the least for each, in the mean."""
     family = objects(noun)
     lost = [min(_missing(_facing(b, a), a.points) for b in family if b is not a) for a in family]
     return float(np.mean(lost))

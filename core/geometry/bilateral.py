@@ -88,7 +88,7 @@ def without_folds(
 
 @dataclass(frozen=True)
 class Around:
-    """What touches what."""
+    """Faces and their neighbours."""
 
     faces: Faces
     one: Int[np.ndarray, " p"]  # pairs of faces that share a vertex, each in both orders,

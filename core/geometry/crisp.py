@@ -126,7 +126,7 @@ def part_of_faces(
 
 @dataclass
 class Meeting:
-    """What each vertex keeps to: the nearest point to y is y + b - A y."""
+    """The planes of each vertex: their nearest point to y is y + b - A y."""
 
     across: Float[np.ndarray, "v 3 3"]  # A, the projection onto the span of its planes' normals
     to: Float[np.ndarray, "v 3"]  # b, the point of that span on all its planes
@@ -176,7 +176,7 @@ class Meeting:
         return places
 
     def along(self, moves: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:
-        """What of the vertices' moves leaves them on their planes."""
+        """The part of the vertices' moves that leaves them on their planes."""
         return moves - np.einsum("vij,vj->vi", self.across, moves)
 
     def nearest(self, places: Float[np.ndarray, "v 3"]) -> Float[np.ndarray, "v 3"]:

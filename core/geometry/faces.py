@@ -95,7 +95,7 @@ def unit(x: Float[np.ndarray, "n k"]) -> Float[np.ndarray, "n k"]:
 def normals_of(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"]
 ) -> Float[np.ndarray, "v 3"]:
-    """Of the vertices, by area, as long as it comes; zero for a vertex without faces."""
+    """The vertices' normals, weighted by area, not unit; zero for a vertex without faces."""
     a, b, c = (verts[faces[:, i]] for i in range(3))
     cross = np.repeat(np.cross(b - a, c - a), 3, 0)
     return np.stack([np.bincount(faces.reshape(-1), x, len(verts)) for x in cross.T], 1)

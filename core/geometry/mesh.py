@@ -75,7 +75,7 @@ def component_labels(faces: Int[Tensor, "f 3"], vert_count: int) -> tuple[int, n
 
 
 def health(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> dict[str, object]:
-    """What a user wants to know of a mesh before trusting it, in plain Python types.
+    """A mesh's health report for the user, in plain Python types.
 
     verts, faces, loose_verts (in no face), components, euler (V - E + F),
     genus (summed over the components; None unless closed, manifold and oriented),

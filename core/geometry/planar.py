@@ -34,7 +34,7 @@ RELABEL_ROUNDS = 20
 
 
 class Limits(NamedTuple):
-    """What a region must keep to, and what it must have."""
+    """The limits of a region, and its least size."""
 
     angle_deg: float  # between a face and the plane
     far: float  # cells off it

@@ -61,7 +61,7 @@ def _points(
     number: Int[Tensor, "b p m"],
     samples: int,
 ) -> Float[Tensor, "b p m 3"]:
-    """Of each ray the samples of these numbers."""
+    """The samples of these numbers on each ray."""
     along = (number + shift[..., None]) / samples
     depth = near[..., None] + (far - near)[..., None] * along
     return eye[:, None, None] + direction[:, :, None] * depth[..., None]

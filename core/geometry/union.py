@@ -60,7 +60,7 @@ class Region(NamedTuple):
 def clipped(
     mesh: tuple[Tensor, Tensor], regions: Sequence[Region], within: bool
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """What a closed mesh has within regions, or outside all of them; maybe nothing."""
+    """The part of a closed mesh within regions, or outside all of them; maybe nothing."""
     solid, room = _solid(*mesh), _added(map(_room, regions))
     made = ((solid ^ room) if within else (solid - room)).to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)

@@ -12,7 +12,7 @@ from core.geometry.mesh import Mesh
 
 
 def uv_health(mesh: Mesh) -> dict[str, float | int]:
-    """What asset.json reports of a UV map, in plain Python numbers.
+    """A UV map's report for asset.json, in plain Python numbers.
 
     uv_fill (the islands' area in the unit square), uv_islands,
     uv_stretch (the L² stretch of Sander et al., "Texture Mapping Progressive Meshes", 2001, §3:

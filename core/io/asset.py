@@ -337,7 +337,7 @@ def _replace_folder(folder: Path, fill: Callable[[Path], None]) -> None:
 
 
 def _clean_up(folder: Path) -> None:
-    """What killed processes left next to ``folder``: an older asset gets its name back."""
+    """Clean up after killed processes next to ``folder``: an older asset gets its name back."""
     halves = left_over(folder.parent, of=folder.name)
     older = left_over(folder.parent, "old", folder.name)
     for left in (*halves, *older):

@@ -31,7 +31,7 @@ class Step:
 
 
 class Progress:
-    """What a stage reports while it works, and where it learns that the user wants it to stop."""
+    """A stage's reports while it works, and its look at the user's request to stop."""
 
     def __init__(self, run: RunFolder) -> None:
         self._run = run
@@ -130,7 +130,7 @@ class TimeLeft:
             self._seconds[phase] = []
 
     def after(self, phase: int, index: int) -> float | None:
-        """What is left after step ``index`` of ``phase``; None while nothing was measured."""
+        """The time left after step ``index`` of ``phase``; None while nothing was measured."""
         left = self._counts[phase] - index - 1 + sum(self._counts[phase + 1 :])
         if left == 0:
             return 0.0

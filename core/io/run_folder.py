@@ -90,7 +90,7 @@ class RunFolder:
 
     @property
     def job(self) -> Job:
-        """What the user asked for."""
+        """The user's job."""
         return Job.from_object(read_object(self.path / "job.json", "Start a new run."))
 
     @property

@@ -16,7 +16,7 @@ WAIT_SECONDS = 60.0  # for another process's compiler; then this one compiles to
 
 
 class Cache(FunctionCache):
-    """Of the processes that start together, one compiles a loop; the others take what it kept.
+    """One of the processes that start together compiles a loop; the others load its result.
 
     From a load that finds nothing to the save the loop's lock is held; the system releases it if
     this process dies. What is kept is used only while all loops here are as they were then.
@@ -47,7 +47,7 @@ class Cache(FunctionCache):
             self._release()
 
     def _kept(self, sig: Any, target_context: Any) -> Any:
-        """What is on disk; None where nothing is, or where a power cut damaged it."""
+        """The content on disk; None where there is none, or where a power cut damaged it."""
         try:
             return super().load_overload(sig, target_context)
         except Exception:  # of a damaged pickle any may come

@@ -64,7 +64,7 @@ def ring(across, at, v, out):
 
 @compiled
 def normal_of(ax, ay, az, b, c):
-    """Of a triangle: its unit normal, twice its area, and its quality (equilateral: 1)."""
+    """A triangle's unit normal, twice its area, and its quality (equilateral: 1)."""
     ux, uy, uz = b[0] - ax, b[1] - ay, b[2] - az
     vx, vy, vz = c[0] - ax, c[1] - ay, c[2] - az
     wx, wy, wz = vx - ux, vy - uy, vz - uz

@@ -9,7 +9,7 @@ HOLD = 0.05  # of a quadric's weight, to the place that is wanted: as strong as 
 
 @compiled
 def add_planes(owner, points, normals, areas, count):
-    """Of each owner, the sum of its planes' quadrics: (count, 11), A's six, b, c, the area.
+    """The sum of each owner's planes' quadrics: (count, 11), A's six, b, c, the area.
 
     A quadric is the squared distance x·A x - 2 b·x + c from its planes, weighed by area.
     """

@@ -1,4 +1,4 @@
-"""Which face is seen at each pixel centre: the renderer's one non-differentiable step.
+"""The visible face at each pixel centre: the renderer's one non-differentiable step.
 
 Plain torch, the same on CPU and GPU (the CPU has a compiled version in :mod:`core.kernels`): every
 triangle is cut into the rows of pixel centres that it crosses, every row into a span, and the spans

@@ -19,7 +19,7 @@ STAGES = ("fit", "geometry", "sharpen", "start", "unwrap", "appearance", "bake")
 
 @dataclass(frozen=True)
 class Curve:
-    """What one stage reported, by step; a step that was taken twice counts once, the last time."""
+    """The reports of one stage, by step; a step that was taken twice counts once, the last time."""
 
     stage: str
     loss: dict[int, float] = field(default_factory=dict)

@@ -74,7 +74,7 @@ class Order:
 
     @property
     def samples(self) -> int:
-        """Of a pixel in Cycles."""
+        """The samples of a pixel in Cycles."""
         return 2 if self.quick else 48
 
 
@@ -88,7 +88,7 @@ class Plan:
 
     @property
     def result(self) -> dict[str, Any] | None:
-        """What row.json records; None where there is none."""
+        """The content of row.json; None where there is none."""
         path = self.folder / "row.json"
         return read_object(path, "Remove it.") if path.exists() else None
 

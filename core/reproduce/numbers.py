@@ -1,4 +1,4 @@
-"""What is measured of a row's asset, where the paper has no numbers."""
+"""Measurements of a row's asset, where the paper has no numbers."""
 
 import json
 import subprocess

@@ -68,7 +68,7 @@ def _write_parts(files: ExitStack, folder: Path, body: Body, with_meshes: bool) 
 
 
 def _meshes(body: Body) -> dict[str, str]:
-    """What is seen, with its material, and the hulls. Simulators take an OBJ's axes as they are."""
+    """The texts of the visible mesh, its material, and the hulls. Simulators keep an OBJ's axes."""
     texts = {f"hull_{i:02}.obj": _upright(hull) for i, hull in enumerate(body.hulls)}
     texts["visual.obj"] = _visual(body.asset)
     emission = "" if body.asset.maps.emission is None else "emission.png"

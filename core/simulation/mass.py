@@ -18,7 +18,7 @@ WALL = 0.01  # of the longest side: how thick the shell of an open mesh is taken
 
 @dataclass(frozen=True, eq=False)
 class Mass:
-    """Of a rigid body, in kilograms and metres."""
+    """The mass properties of a rigid body, in kilograms and metres."""
 
     mass: float
     center: Float[Tensor, " 3"]
@@ -37,7 +37,7 @@ class Mass:
 
 
 def mass_of(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], density: float) -> Mass:
-    """Of the solid where the mesh encloses one, else of a shell; ``density`` in kg/m³.
+    """Those of the solid where the mesh encloses one, else of a shell; ``density`` in kg/m³.
 
     Raises UserError for a mesh without volume or area.
     """
@@ -56,7 +56,7 @@ def mass_of(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], density: flo
 
 
 def solid(corners: Float[Tensor, "f 3 3"], density: float) -> Mass:
-    """Of what faces with these ``corners`` enclose: tetrahedra to the origin, with their sign."""
+    """Those of the volume in faces with these ``corners``: signed tetrahedra to the origin."""
     a, b, c = corners.unbind(1)
     volumes = (a * torch.linalg.cross(b, c)).sum(1) / 6
     volumes = volumes * volumes.sum().sign()  # of faces that all look inward too
@@ -65,14 +65,14 @@ def solid(corners: Float[Tensor, "f 3 3"], density: float) -> Mass:
 
 
 def shell(corners: Float[Tensor, "f 3 3"], weight: float) -> Mass:
-    """Of the surface alone; ``weight`` in kg/m²."""
+    """Those of the surface alone; ``weight`` in kg/m²."""
     flat = corners.reshape(-1, 3)
     areas = face_areas(flat, torch.arange(len(flat)).view(-1, 3))
     return _body(corners, weight * areas, 3)
 
 
 def _body(corners: Float[Tensor, "f 3 3"], masses: Float[Tensor, " f"], count: int) -> Mass:
-    """Of simplices with ``count`` corners (those beyond three at the origin), each of its mass.
+    """Those of simplices with ``count`` corners (beyond three at the origin), each of its mass.
 
     The second moment of a simplex of mass m with n corners p and their sum s is
     m / (n (n + 1)) (sum p p^T + s s^T).

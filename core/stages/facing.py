@@ -1,4 +1,4 @@
-"""Which way a guide faces: by the turn about the vertical as which the guidance knows it best.
+"""The front of a guide: the turn about the vertical in which the guidance knows it best.
 
 A guidance that sees normals in the object's frame knows where a thing's front is, and takes a guide
 that faces another way for something else. So it is asked first, as a diffusion classifier (Li et

@@ -183,7 +183,7 @@ class Distillation(Phase):
         return decayed(config.learning_rate, config.learning_rate_end, self._progress(index))
 
     def sharpness(self, index: int) -> float:
-        """Of the mask along the rays; 0 follows none: the fine phase, and once the shape is up."""
+        """The sharpness of the mask along rays; 0: not used (fine phase, complete shape)."""
         progress = self._progress(index)
         if not self.coarse or progress >= self.setup.config.ray_mask_share:
             return 0.0

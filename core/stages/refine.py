@@ -95,7 +95,7 @@ def cleaned(
     generator: torch.Generator,
     ranks: Ranks = ALONE,
 ) -> Float[Tensor, "b 4 s s"]:
-    """What the guidance makes of the pictures in the round ``number``: restored or denoised.
+    """The pictures of the round ``number``, restored or denoised by the guidance.
 
     ``ranks``: those that have the round's other pictures.
     """

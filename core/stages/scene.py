@@ -1,4 +1,4 @@
-"""What the cameras of one step look at: one interface for the shape and for the shaded object."""
+"""The scene of one step's cameras: one interface for the shape and for the shaded object."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator

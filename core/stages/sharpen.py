@@ -162,7 +162,7 @@ def seen_normals(
 def _seen_in(
     verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], crisp: Crisp, view: int
 ) -> tuple[Tensor, Tensor, Tensor]:
-    """Of one picture: the face at each covered pixel, the picture's normal there, its weight."""
+    """One picture's covered pixels: the face, the picture's normal and its weight at each."""
     camera = crisp.cameras[slice(view, view + 1)]
     fragments = rasterize(verts, faces, camera.mvp, SEEN_SIZE, SEEN_SIZE)
     column, row = fragments.pixel % SEEN_SIZE, fragments.pixel // SEEN_SIZE

@@ -64,7 +64,7 @@ def fit_guide(
 
 
 def leash_of(guide: Mesh, shape: Shape, config: GeometryConfig, strength: float) -> Leash | None:
-    """What keeps a surface as near to ``guide`` as ``strength`` asks; 0: nothing does.
+    """The leash that keeps a surface as near to ``guide`` as ``strength`` requests; 0: none.
 
     ``shape``: its :func:`solid_guide`.
     """

@@ -15,7 +15,7 @@ HEALTHY = "healthy."  # in a checkpoint's names: of the state to go back to
 
 
 class Training(Generic[Net]):
-    """What a training needs to continue where it stopped.
+    """The state that a training needs to continue where it stopped.
 
     The parameters, the optimiser's moments, the random generator and the step; and the tensors of
     the present round of fitting.
@@ -48,7 +48,7 @@ class Training(Generic[Net]):
         self._kept = {f"{label}.{key}": value for key, value in tensors.items()}
 
     def kept(self, label: str) -> dict[str, Tensor]:
-        """What was kept under ``label``; nothing where something else was."""
+        """The values kept under ``label``; nothing under another label."""
         start = f"{label}."
         return {k.removeprefix(start): v for k, v in self._kept.items() if k.startswith(start)}
 
@@ -115,7 +115,7 @@ class Training(Generic[Net]):
             self.generator.set_state(state["generator"])
 
     def mark(self) -> tuple[Tensor, dict[str, Tensor]]:
-        """What a step changes before the parameters: the random generator, and what is kept."""
+        """The state that a step changes before the parameters: the generator, the kept values."""
         return self.generator.get_state(), self._kept
 
     def back_to(self, mark: tuple[Tensor, dict[str, Tensor]]) -> None:

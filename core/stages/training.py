@@ -29,7 +29,7 @@ Settings = TypeVar("Settings", GeometryConfig, AppearanceConfig)
 
 @dataclass(frozen=True)
 class Setup(Generic[Net, Settings]):
-    """What all phases of one training share: the network, its guidance, its settings."""
+    """The common objects of a training's phases: the network, its guidance, its settings."""
 
     training: Training[Net]
     guidance: PromptedGuidance
@@ -205,7 +205,7 @@ def _kept_if_a_rank_is_lost(setup: Setup) -> Iterator[None]:
 
 
 def first_steps(counts: Sequence[int], stop: int | None) -> list[int]:
-    """Of phases with ``counts`` steps, how many steps of each come before step ``stop``."""
+    """For phases with ``counts`` steps: how many steps of each come before step ``stop``."""
     if stop is None:
         return list(counts)
     before = [sum(counts[:i]) for i in range(len(counts))]

@@ -21,7 +21,7 @@ class Calls(NamedTuple):
 
 
 def calls_of(config: Config, command: str) -> Calls:
-    """Of a whole run with ``config``."""
+    """The work of a whole run with ``config``."""
     g, a = config.geometry, config.appearance
     phases = [(a.early, a.views, True), (a.late, a.views, True)]
     rounds = [a.refine]

@@ -26,7 +26,7 @@ MaterialAt = Callable[..., Material]  # of points; where areas are known, and of
 
 @runtime_checkable
 class TexelFinish(Protocol):
-    """What becomes of a texel's means: see :class:`core.texture.finish.Finish`."""
+    """The last change of a texel's means: see :class:`core.texture.finish.Finish`."""
 
     attributes: Float[Tensor, "f 3 c"]  # of the surface, by corner
     lights: bool  # whether it adds emission (3) and transmission (1) to the values
@@ -137,5 +137,5 @@ def _means(
 
 
 def _at(values: Float[Tensor, "n 3 c"], bary: Float[Tensor, "n 3"]) -> Float[Tensor, "n c"]:
-    """Of values at the corners of points' faces, those at the points."""
+    """The values at points, interpolated from the corners of their faces."""
     return torch.einsum("nk,nkc->nc", bary, values)

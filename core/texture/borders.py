@@ -55,7 +55,7 @@ def costs(
     corners: Float[np.ndarray, "f 3 3"],
     normal: Float[np.ndarray, "f 3"],
 ) -> Int[np.ndarray, "f 3"]:
-    """What a border over each side of each face costs: its length, less where it is an edge."""
+    """The cost of a border along each side of each face: its length, less where it is an edge."""
     length = np.linalg.norm(np.roll(corners, -1, 1) - corners, axis=2)
     apart = np.square(normal[:, None] - normal[adjacent]).sum(2)
     weight = np.maximum(np.exp(-apart / EDGE**2), CHEAP)
@@ -85,7 +85,7 @@ def cut(
     fixed: Bool[np.ndarray, " n"],
     mine: Bool[np.ndarray, " n"],
 ) -> Bool[np.ndarray, " n"]:
-    """Which faces of a strip are on the first side of its least cut; ``fixed`` ones stay."""
+    """The faces of a strip on the first side of its least cut; ``fixed`` ones stay."""
     count = len(strip)
     place = np.full(len(adjacent), -1)
     place[strip] = np.arange(count)

@@ -94,7 +94,7 @@ def grown(
 def sums(
     chart: Int[np.ndarray, " f"], values: Float[np.ndarray, "f 3"], area: Float[np.ndarray, " f"]
 ) -> Float[np.ndarray, "c 3"]:
-    """Of each chart, weighted."""
+    """The sum over each chart's faces, weighted by area."""
     return np.stack([np.bincount(chart, area * x) for x in values.T], 1)
 
 

@@ -101,7 +101,7 @@ def as_rigid(
 
 
 def cotangents(rest: Float[np.ndarray, "f 3 2"]) -> Float[np.ndarray, "f 3"]:
-    """Of the angle in each corner, kept within COTANGENTS."""
+    """The cotangent of the angle in each corner, kept within COTANGENTS."""
     p, q = np.roll(rest, -1, 1) - rest, np.roll(rest, 1, 1) - rest
     cross = p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0]
     return ((p * q).sum(-1) / np.maximum(cross, 1e-30)).clip(*COTANGENTS)

@@ -11,7 +11,7 @@ from core.ops import normalize
 
 
 def emission_source(maps: Maps) -> EmissionSource | None:
-    """What the maps emit, by uv; None: nothing."""
+    """The maps' emission, by uv; None: none."""
     if maps.emission is None:
         return None
     stack = EMISSION_STRENGTH * maps.emission.permute(2, 0, 1)[None]

@@ -23,7 +23,7 @@ MOST = 1 << 20  # of them
 
 
 class Region(NamedTuple):
-    """What is kept, and where it changes."""
+    """The kept maps, and where they change."""
 
     kept: Maps
     faces: Bool[Tensor, " f"]

@@ -161,7 +161,7 @@ def _doubles(verts: Float[Tensor, "v 3"]) -> Float[np.ndarray, "v 3"]:
 
 
 class Surface:
-    """What the vertices are spread over: the mesh at its full resolution."""
+    """The surface of the vertices: the mesh at its full resolution."""
 
     def __init__(
         self, verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], count: int = MANY
@@ -250,7 +250,7 @@ class Table:
 
     @property
     def links(self) -> tuple:
-        """What the loops know the faces by."""
+        """The loops' table of the faces."""
         return self.corners, self.across, self.kept
 
     @property

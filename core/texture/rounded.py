@@ -100,7 +100,7 @@ class RoundedEdges:
     def _sides_of(
         self, points: Float[Tensor, "n 3"], normals: Float[Tensor, "n 3"], found: Int[Tensor, "n k"]
     ) -> tuple[Float[Tensor, "n k"], Float[Tensor, "n k 3"]]:
-        """Of the samples ``found`` near each place, how much they count, from 1 on the edge to 0 a
+        """The weights of the samples ``found`` near each place, from 1 on the edge to 0 a
         radius away, and the normal of their other side; 0 where none was found, or where the place
         is on neither side."""
         known = found < len(self._at)

@@ -112,7 +112,7 @@ OVERLAP = "Some faces of the UV map overlap, so they share texels."
 
 
 def uv_faults(uv: Float[Tensor, "u 2"], face_uvs: Int[Tensor, "f 3"], size: int = 512) -> list[str]:
-    """What keeps a user's own uv from taking a texture for every point of the surface; [] is good.
+    """The faults of a user's own uv that prevent a texture for every point; [] if none.
 
     Each fault is a sentence. Overlaps are counted where the islands cover 2 % more than they show.
     """

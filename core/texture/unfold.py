@@ -84,7 +84,7 @@ class _Patches:
         return True
 
     def _ways(self, corners: Corners) -> Iterator[tuple[list[int], list[Corners]]]:
-        """What may be replaced around a face, and by what: no more faces than there are."""
+        """Possible replacements of the faces around a face, with no more faces than there are."""
         for a, b, c in (corners, (*corners[1:], corners[0]), (corners[2], *corners[:2])):
             both = self._around[a] & self._around[b]
             if len(both) != 2:

@@ -37,7 +37,7 @@ class Picture:
 
 
 class Light(NamedTuple):
-    """What a material's optional maps are to be taken with."""
+    """The emission strength and the IOR of a material's optional maps."""
 
     strength: float = STRENGTH  # times the emission: the radiance
     ior: float = IOR  # of what the transmission lets through
@@ -69,7 +69,7 @@ class AssetFolder:
 
     @property
     def light(self) -> Light:
-        """What its optional maps are to be taken with."""
+        """The emission strength and the IOR of its optional maps."""
         entries = [entry for entry in self.info["files"].values() if isinstance(entry, dict)]
         by_role = {str(entry.get("role")): entry for entry in entries}
         strength = by_role.get("emission", {}).get("strength", STRENGTH)

@@ -52,7 +52,7 @@ def made_lines(made_by: Any) -> dict[str, str]:
 
 
 def origin_of(owner: bpy.types.ID) -> dict[str, str]:
-    """What :func:`set_origin` kept, by the names in asset.json."""
+    """The properties of :func:`set_origin`, by the names in asset.json."""
     found = {name: owner.get(PREFIX + name) for name in NAMES}
     return {name: value for name, value in found.items() if isinstance(value, str)}
 

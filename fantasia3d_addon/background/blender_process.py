@@ -115,7 +115,7 @@ def _raise_for(code: int, folder: Path) -> None:
 
 
 def _progress(folder: Path) -> tuple[str, float]:
-    """What the worker does now, and the fraction done."""
+    """The worker's present task, and the fraction done."""
     try:
         text, fraction = json.loads((folder / "progress.json").read_text("utf-8"))
         return str(text), float(fraction)

@@ -1,1 +1,1 @@
-"""What the other folders need of bpy: version differences, mesh arrays, names, PNG files."""
+"""Helpers for bpy: version differences, mesh arrays, names, PNG files."""

@@ -114,7 +114,7 @@ def _installed_blender(version: str) -> Line:
 
 
 def _packages(python: str, pins: Sequence[str], given: bool = False) -> list[Line]:
-    """What the environment's own Python, or a ``given`` one, reports of packages and the GPU."""
+    """The report of the environment's own Python, or a ``given`` one, on packages and the GPU."""
     fix = "fix it with: python3 run.py setup --renew blender"
     if given:  # which the set-up leaves alone
         fix = "name a Python with this project's packages (FANTASIA3D_PYTHON, preferences), or none"

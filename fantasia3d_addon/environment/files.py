@@ -30,7 +30,7 @@ def of_variable(value: str) -> str:
 
 
 def no_home(path: str | Path) -> tuple[str, str]:
-    """What is wrong with ``path``, which starts with a home folder that is not here; what to do."""
+    """The fault of ``path``, which starts with a home folder that does not exist, and the fix."""
     text = f"There is no home folder {Path(path).parts[0]!r}, as in {str(path)!r}."
     return text, f"Name the whole path, or ./{path} for a name that starts so."
 

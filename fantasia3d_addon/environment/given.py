@@ -25,7 +25,7 @@ print("%d.%d" % sys.version_info[:2], lacking, sep="|")"""
 
 
 def named_python() -> str:
-    """What FANTASIA3D_PYTHON names, with its ~ expanded where there is such a home; or ""."""
+    """The path in FANTASIA3D_PYTHON, with its ~ expanded where there is such a home; or ""."""
     return of_variable(os.environ.get("FANTASIA3D_PYTHON", ""))
 
 

@@ -1,4 +1,4 @@
-"""What this machine provides for the set-up: a Python, a GPU, disk space, locks."""
+"""The machine's resources for the set-up: a Python, a GPU, disk space, locks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NOT_FROM_HERE = "import sys; sys.path[:] = [path for path in sys.path if path]\n
 
 
 class SetupError(Exception):
-    """What the user can fix: ``text`` states what is missing, ``fix`` what to do."""
+    """An error that the user can fix: ``text`` states what is missing, ``fix`` what to do."""
 
     status = 3  # the process's exit code: something is not installed or not found
 
@@ -56,7 +56,7 @@ def piped_environ() -> dict[str, str]:
 
 
 def output(command: Sequence[str], timeout: float = 20) -> str:
-    """What ``command`` prints; empty if it fails, hangs or does not exist."""
+    """The output of ``command``; empty if it fails, hangs or does not exist."""
     try:
         done = subprocess.run(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,

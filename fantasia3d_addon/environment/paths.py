@@ -1,4 +1,4 @@
-"""What the environment must contain, where it is, and whether it is complete."""
+"""The environment's contents and place, and whether it is complete."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def log_file(folder: Path) -> Path:
 
 
 def read_marker(folder: Path) -> dict[str, Any]:
-    """What the environment ``folder`` contains; empty while it is not complete."""
+    """The contents of the environment ``folder``; empty while it is not complete."""
     try:
         marker = json.loads((folder / MARKER).read_text(encoding="utf-8"))
     except (OSError, ValueError):

@@ -124,7 +124,7 @@ def facts(root: Path, lines: Sequence[Line]) -> dict[str, Any]:
 
 
 def _packages(root: Path, python: str) -> list[str]:
-    """What is installed of the lock file's packages; others are the user's business."""
+    """The installed packages of the lock file; others are private."""
     names = {package_of(line) for lines in read_lock(root).values() for line in lines}
     found = machine.output([python, *machine.ISOLATED, "-c", PACKAGES]).splitlines()
     return [line for line in found if re.sub(r"[-_.]+", "-", package_of(line)).lower() in names]

@@ -20,7 +20,7 @@ KINDS: Mapping[str, Callable[[object], bool]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """What makes a run a candidate."""
+    """The data of a candidate run."""
 
     group: str = ""  # the same for all that were requested together; empty: it is none
     until: str = ""  # where it pauses; empty: it was chosen, and is finished

@@ -70,7 +70,7 @@ def edit_region(
 
 
 def _files(obj: bpy.types.Object, faces: np.ndarray, folder: Path) -> dict[str, Path]:
-    """What the run folder gets, written into ``folder``."""
+    """The run folder's input files, written into ``folder``."""
     kept = region.write_kept(obj, folder / "kept")
     (folder / FACES).write_text("".join(f"{face}\n" for face in faces), "ascii")
     files = {f"{KEPT}/{name}": path for name, path in kept.items()}

@@ -1,4 +1,4 @@
-"""What the jobs do when a file is saved or opened, and after an undo."""
+"""Handlers for jobs when a file is saved or opened, and after an undo."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ def mark_imported(folder: Path) -> None:
 
 
 def reason_to_wait() -> str:
-    """What the user is doing that an import would disturb; empty if nothing."""
+    """The user's activity that an import would disturb; empty if none."""
     if bpy.app.is_job_running("RENDER"):
         return "Import waits until the render is done."
     for window in bpy.context.window_manager.windows:

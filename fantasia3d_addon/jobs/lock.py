@@ -1,4 +1,4 @@
-"""Which Blender follows a run, and which core works on it: locks in the run folder. No bpy."""
+"""Locks in the run folder: of the Blender that follows the run and of its core. No bpy."""
 
 from __future__ import annotations
 

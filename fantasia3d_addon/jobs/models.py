@@ -24,7 +24,7 @@ Model = Mapping[str, Any]  # path, kind, bytes, reason
 
 
 class Models:
-    """What was found; None until the core has been asked."""
+    """The found models; None until the core has been asked."""
 
     def __init__(self) -> None:
         self.found: Sequence[Model] | None = None

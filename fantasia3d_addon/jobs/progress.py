@@ -42,7 +42,7 @@ class Progress:
 
     @property
     def fraction(self) -> float:
-        """Of the present stage, from 0 to 1."""
+        """The present stage's progress, from 0 to 1."""
         return self.step / self.steps if self.steps else 0.0
 
     @property

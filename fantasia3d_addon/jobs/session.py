@@ -279,7 +279,7 @@ class Session:
     # The models on this machine: asked in the background, too
 
     def found_models(self) -> Sequence[Model] | None:
-        """What is there; None: not yet known. The first call has the core look."""
+        """The found models; None: not yet known. The first call starts the core's search."""
         if self.models.found is None and not self.models.pending:
             self.find_models()
         return self.models.found

@@ -234,7 +234,7 @@ def resume(context: bpy.types.Context, entry: Entry) -> None:
 
 
 def report_of(settings: bpy.types.PropertyGroup) -> Report | None:
-    """What the built-in model understands of the prompt; None: not known, or another model."""
+    """The built-in model's reading of the prompt; None: not known, or another model."""
     if settings.guidance != "builtin":
         return None
     return session.report(settings.prompt, settings.ignore_unknown)

@@ -1,4 +1,4 @@
-"""What the built-in model understands of a prompt, asked of the core in the background. No bpy.
+"""The built-in model's reading of a prompt, requested from the core in the background. No bpy.
 
 The core answers in about 0.1 s (``python -m core words``, which needs no package), for each prompt
 once, and again some seconds after it could not be asked. It is asked when the prompt has not
@@ -45,7 +45,7 @@ class Words:
         return self._wanted is not None or self._task is not None
 
     def report(self, prompt: str, ignore_unknown: bool = False) -> Report | None:
-        """What is understood of ``prompt``, as ``run.py words`` reports it; None: not yet known.
+        """The reading of ``prompt``, as ``run.py words`` reports it; None: not yet known.
 
         An empty report: the core could not be asked.
         """
@@ -114,7 +114,7 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
 
 
 def summary(report: Report) -> str:
-    """What is understood, in the order of the prompt's grammar: "chair, red, wooden", "3 × apple";
+    """The reading in the order of the prompt's grammar: "chair, red, wooden", "3 × apple";
     last what goes with it: "rabbit, white, on: red pillow"."""
     words = [
         _several(report, report["thing"]),

@@ -33,7 +33,7 @@ CORNERS = 128  # of a collider: 252 triangles; Unity takes 255
 
 @dataclass(frozen=True)
 class Engine:
-    """What an engine's importer expects."""
+    """The format that an engine's importer expects."""
 
     kind: str  # of export.py
     collider: str  # name of a collider: {name} of the mesh, {i} its number

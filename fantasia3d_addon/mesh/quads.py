@@ -56,7 +56,7 @@ def to_quads(obj: bpy.types.Object, faces: int) -> float:
 
 
 class Surface:
-    """What the quads are to be like."""
+    """The options of the quads."""
 
     def __init__(self, mesh: bpy.types.Mesh) -> None:
         points = verts_of(mesh)

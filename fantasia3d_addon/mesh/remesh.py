@@ -72,7 +72,7 @@ def make_lods(
 
 
 def _fraction(obj: bpy.types.Object, max_faces: int) -> float:
-    """Of the triangles of ``obj``, with its modifiers, that ``max_faces`` are."""
+    """The fraction of the triangles of ``obj``, with its modifiers, that ``max_faces`` are."""
     mesh = baked_mesh(obj)
     mesh.calc_loop_triangles()
     present = len(mesh.loop_triangles)

@@ -1,4 +1,4 @@
-"""What a simulated asset collides with: what is below or around it, or a ground of its own."""
+"""The colliders of a simulated asset: objects below or around it, or a ground of its own."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ _NUMBERS = (options.FRAMES, options.HEIGHT, options.SOFTNESS)  # those with a ra
 
 @dataclass(frozen=True)
 class Options:
-    """What a user may choose, as ``options.SIMULATION`` describes it; lengths in metres."""
+    """The user's options, as ``options.SIMULATION`` describes them; lengths in metres."""
 
     frames: int = int(options.FRAMES.default)
     height: float = float(options.HEIGHT.default)
@@ -122,7 +122,7 @@ def clear(obj: bpy.types.Object) -> None:
 
 
 def _left_behind() -> list[bpy.types.Object]:
-    """What was made for assets that were deleted: hardly seen, but others run into it.
+    """The helpers of deleted assets: hardly visible, but others collide with them.
 
     A sheet that was draped over one is the user's own from then on.
     """
@@ -350,7 +350,7 @@ def _fall(size: float, height: float) -> tuple[float, int]:
 
 
 def note_of(obj: bpy.types.Object, kind: str, settings: Options) -> str:
-    """What will be otherwise than ``settings`` ask for; empty if nothing."""
+    """The deviation from the requested ``settings``; empty if none."""
     if kind != "DRAPE":
         return ""
     rise = _fall(float(np.ptp(shown_verts(obj), axis=0).max()), settings.height)[0]

@@ -152,7 +152,7 @@ class Glow:
 
 
 def glow_of(image: bpy.types.Image) -> Glow | None:
-    """What makes a lat-long picture a sunset; None for any other light.
+    """The sunset in a lat-long picture; None for any other light.
 
     The horizon about its brightest direction is red rather than blue, and much brighter than the
     sky as a whole.

@@ -119,7 +119,7 @@ def draw_entries(
 
 
 class FANTASIA3D_MT_add(bpy.types.Menu):
-    """What adds an object."""
+    """The menu of operators that add an object."""
 
     bl_idname = "FANTASIA3D_MT_add"
     bl_label = TAB

@@ -1,4 +1,4 @@
-"""What the operators have in common: when they may run, and how they report."""
+"""Helpers of the operators: when they may run, and how they report."""
 
 from __future__ import annotations
 

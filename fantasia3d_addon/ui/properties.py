@@ -1,4 +1,4 @@
-"""What the user requests, kept in the scene: the fields of the main panel."""
+"""The user's settings, kept in the scene: the fields of the main panel."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ GROUP_MENUS = tuple(
 
 
 def draw_understood(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
-    """What the built-in model makes of the prompt, and buttons for what it does not know."""
+    """The built-in model's reading of the prompt, and buttons for unknown words."""
     settings = context.scene.fantasia3d
     if settings.guidance != "builtin":
         return

@@ -117,7 +117,7 @@ class KnownParts:
         return found if found and found.off(points, component.error) < BLADED * off else one
 
     def _turned(self, component: Component) -> Primitive | None:
-        """What the component is, where it is the same all around an axis."""
+        """The component's solid of revolution, if it is the same all around an axis, or None."""
         if component.place.part in self.forms.cornered:
             return None
         fractions = self.round_fractions(component)
@@ -139,7 +139,7 @@ class KnownParts:
         return found
 
     def _best(self, component: Component, flat: list[Primitive]) -> Primitive | None:
-        """Of these the one that fits the component best; None where none does."""
+        """The one of these that fits the component best; None where none does."""
         points = points_of(component)
         # A round tube looks like a flat one here: the noun's objects decide whether there are ends.
         most = self.forms.flat[component.place.part] / FLAT_ENDS

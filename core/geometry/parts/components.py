@@ -65,12 +65,12 @@ class Component(NamedTuple):
 
     @property
     def cell(self) -> float:
-        """Of its lattice."""
+        """The cell of its lattice."""
         return self.lattice.cell
 
     @property
     def middle(self) -> Float[Tensor, " 3"]:
-        """Of its surface."""
+        """The middle of its surface."""
         area = face_areas(self.verts, self.faces)
         return area @ self.verts[self.faces].mean(1) / area.sum()
 
@@ -184,7 +184,7 @@ def drawn_at(distances: Distances, place: Place) -> Component | None:
 
 
 def points_of(component: Component) -> Float[np.ndarray, "n 3"]:
-    """Of the component's surface, evenly by area."""
+    """Points of the component's surface, evenly by area."""
     generator = torch.Generator().manual_seed(0)
     return sample_surface(component.verts, component.faces, FITTED, generator).double().numpy()
 

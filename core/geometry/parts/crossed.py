@@ -1,8 +1,8 @@
-"""What is layers along two or three axes at once: a rocket's fins, an airplane's tail.
+"""Solids that are layers along two or three axes at once: a rocket's fins, an airplane's tail.
 
-Along each axis some of it is even, and the rest is not: through a fin's thickness all sections are
-alike, along the other fin's they taper. Of the even layers of all axes those are taken, one by one,
-that most of the surface is on which no other has (a greedy cover: Chvatal 1979).
+Along each axis a part of it is even, and the rest is not: through a fin's thickness all sections
+are the same, along the other fin's they taper. The even layers of all axes are taken one by one,
+each the one that covers most of the remaining surface (a greedy cover: Chvatal 1979).
 """
 
 import numpy as np

@@ -16,7 +16,7 @@ from core.geometry.parts.primitives import BLUR, FORMS, Points, Primitive
 REACH = 1.5  # errors, at most, between the ends of a solid and of the points on it
 SOFT = 0.3  # errors, beyond which a point counts less
 LOGS = (-6.0, 2.0)  # of lengths: what is lost goes no farther
-TOLD = 4.0  # points' worth, of where the points end
+LIMIT = 4.0  # points' worth, of where the points end
 TURNED = 3  # of the fits along the axes are turned
 STEPS = 14  # evaluations of the gradient, at most
 # What a solid with more freedom, or less, has to have of the other's mean error, at most.
@@ -115,7 +115,7 @@ def frames_of(points: Points) -> Iterator[Float[np.ndarray, "3 3"]]:
 
 
 def _starts(points: Points, frame: Float[np.ndarray, "3 3"]) -> Iterator[Primitive]:
-    """What fills the box around the points along the frame's axes, its columns."""
+    """The solid that fills the box around the points along the frame's axes, its columns."""
     local = points @ frame
     low, high = local.min(0), local.max(0)
     center, half = frame @ (low + high) / 2, ((high - low) / 2).clip(1e-3)
@@ -176,7 +176,7 @@ def _fitted(
         # No point tells where a side ends that is long: it ends where the points do.
         low, high = _ends(one)
         ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])
-        return np.concatenate([FORMS[one.form].distance(local, one.lengths), TOLD * ends]) / error
+        return np.concatenate([FORMS[one.form].distance(local, one.lengths), LIMIT * ends]) / error
 
     solved = least_squares(
         residuals,

@@ -1,4 +1,4 @@
-"""What is known of a noun's parts before one looks: how flat and how round they are."""
+"""Prior knowledge of a noun's parts: how flat and how round they are."""
 
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
@@ -12,7 +12,7 @@ STRAY = 0.06  # of the area of a part's least component, what is none of it at m
 
 
 class Forms(NamedTuple):
-    """What the parts are like, in the mean over a noun's objects."""
+    """The forms of the parts, in the mean over a noun's objects."""
 
     flat: Sequence[float]  # of each, the fraction of its surface that is flat
     round: Sequence[Sequence[float]]  # and the same all around, along x, along y, along z
@@ -32,6 +32,6 @@ class Forms(NamedTuple):
         return part < len(self.least) and fraction < STRAY * self.least[part]
 
     def faces(self, part: int) -> Faces:
-        """What is known of the faces of the part's components."""
+        """The prior knowledge of the faces of the part's components."""
         flat = self.flat[part]
         return Faces(self.may_be_flat(part), flat >= BLOCK, flat >= SHARP, part in self.cornered)

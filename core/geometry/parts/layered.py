@@ -1,4 +1,4 @@
-"""What is flat outlines one upon another along an axis: an arch, a saw, a shelf with its back.
+"""Solids of flat outlines, one upon another along an axis: an arch, a saw, a shelf with its back.
 
 The sections through a layer agree, each with errors of its own: their mean has less. Where
 one layer ends and the next begins is found by dynamic programming, as for a signal that is constant
@@ -68,7 +68,7 @@ def layers_of(
 def even_layers(
     lattice: Lattice, component: Component, placed: Callable[[Points], Points]
 ) -> Iterator[Layer | None]:
-    """What there is along the lattice's last axis, each as a layer; None where it is none."""
+    """Each segment along the lattice's last axis as a layer; None where it is none."""
     sections = np.clip(np.moveaxis(lattice.values, 2, 0) / lattice.cell, -FAR, FAR)
     starts = segments(sections.clip(-1, 1))
     verts, faces = placed(component.verts.double().numpy()), component.faces.numpy()

@@ -126,7 +126,7 @@ def straightened(loop: Loop, error: float, step: float) -> Loop:
 
 
 def corners_of(loop: Loop, off: float) -> list[int]:
-    """Which points a polygon has that is nowhere farther than ``off`` from the loop."""
+    """The points of a polygon that is nowhere farther than ``off`` from the loop."""
     first = int(((loop - loop.mean(0)) ** 2).sum(1).argmax())
     second = int(((loop - loop[first]) ** 2).sum(1).argmax())
     halves = between(loop, first, second), between(loop, second, first)
@@ -137,7 +137,7 @@ def corners_of(loop: Loop, off: float) -> list[int]:
 
 
 def needed(run: Loop, off: float) -> list[int]:
-    """Which of a run's inner points a polygon needs that is nowhere farther than ``off`` from it
+    """The inner points of a run that a polygon needs to be nowhere farther than ``off`` from it
     (Douglas and Peucker 1973)."""
     _, kept = igl.ramer_douglas_peucker(run, off)
     return np.asarray(kept)[1:-1].tolist()
@@ -154,7 +154,7 @@ def between(loop: Loop, a: int, b: int) -> Loop:
 
 
 def chords(corners: Loop) -> Bool[np.ndarray, " _"]:
-    """Which sides of a polygon are chords of an arc: they turn into both neighbours, which are
+    """The sides of a polygon that are chords of an arc: they turn into both neighbours, which are
     about as long, by about as little."""
     way = np.roll(corners, -1, 0) - corners
     length, angle = np.hypot(*way.T), np.arctan2(way[:, 1], way[:, 0])

@@ -149,7 +149,7 @@ def _within(p: Float[np.ndarray, "n 2"], start: Loop, end: Loop) -> Float[np.nda
 
 
 def packed(found: Sequence[Layer]) -> Lengths:
-    """Of each layer its ends and its number of loops, of each loop its number of corners and
+    """Each layer's ends and number of loops, each loop's number of corners and
     these."""
     numbers = []
     for low, high, loops in found:
@@ -174,7 +174,7 @@ def unpacked(lengths: Lengths) -> list[Layer]:
 
 
 def packed_along(axes: Sequence[Sequence[Layer]]) -> Lengths:
-    """Of each of the three ``FRAMES`` how many numbers its layers have, and these."""
+    """For each of the three ``FRAMES`` the count of its layers' numbers, and these."""
     each = [packed(found) for found in axes]
     return np.concatenate([[len(numbers), *numbers] for numbers in each])
 
@@ -336,6 +336,6 @@ def _arc(first: float, last: float, count: int) -> Float[np.ndarray, "c 2"]:
 
 
 def _segments(radius: float) -> int:
-    """Of a circle, so many that its polygon is as near as ``CHORD``; of any quarter the same."""
+    """A circle's corners, so many that its polygon is as near as ``CHORD``; equal per quarter."""
     count = np.pi / np.arccos(1 - min(CHORD / max(radius, CHORD), 0.5))
     return 4 * int(np.ceil(np.clip(count, *SEGMENTS) / 4))

@@ -1,4 +1,4 @@
-"""Which way each part of a mesh is long, the way in which wood would be cut for it, and its edges.
+"""The long direction of each part of a mesh, in which wood would be cut for it, and its edges.
 
 A part's length is the axis along which the surface around a vertex spreads most, and what runs on
 smoothly is one part: a board's edges are cut with it. Of the three axes of the object one is taken,

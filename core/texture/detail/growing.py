@@ -1,4 +1,4 @@
-"""What grows, what is baked and cooked of it, and the ground that it grows in."""
+"""Plants, baked and cooked food, and the ground."""
 
 import numpy as np
 

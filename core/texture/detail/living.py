@@ -1,4 +1,4 @@
-"""What animals and people are covered with."""
+"""Coverings of animals and people: fur, feathers, scales, skin."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Which substance is where: by the area of each point, or where the areas are not known by its
+"""The substance of each point: by its area, or, where the areas are not known, by its
 colour, which is compared with what the parts were painted."""
 
 from typing import NamedTuple, Protocol, runtime_checkable

@@ -1,4 +1,4 @@
-"""What a pattern gets and what it gives: places of the surface, and the material's change there."""
+"""A pattern's input and output: places of the surface, and the material's change there."""
 
 from dataclasses import dataclass
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What time does to any material: wear, dirt, dust, moss, snow."""
+"""Effects of time on any material: wear, dirt, dust, moss, snow."""
 
 from collections.abc import Callable
 
