@@ -1,4 +1,4 @@
-"""Many jobs in a row from one Blender, each with a stand-in for the core: what this process holds.
+"""Many jobs in a row from one Blender, each with a fake core: this process's resources.
 
     python -m blender_tests.long_session 100
 
@@ -90,7 +90,7 @@ def counted_timers() -> set[Callable]:
 
 
 def getattr_of(owner: object) -> Callable:
-    """``__getattr__`` for a stand-in of ``owner``."""
+    """``__getattr__`` for a fake of ``owner``."""
     return lambda _self, name: getattr(owner, name)
 
 

@@ -1,4 +1,4 @@
-"""Candidates in Blender, with a stand-in for the core: explored, shown, chosen, discarded."""
+"""Candidates in Blender, with a fake core: explored, shown, chosen, discarded."""
 
 import dataclasses
 

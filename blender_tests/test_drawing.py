@@ -153,7 +153,7 @@ class Collection(dict):
 
 @pytest.fixture
 def read(monkeypatch) -> list[str]:
-    """The names of the pictures that are read at once, with a stand-in for Blender's."""
+    """The names of the pictures that are read at once, with a fake of Blender's reader."""
     read: list[str] = []
     monkeypatch.setattr(icons, "_collections", [Collection(read)])
     yield read

@@ -1,4 +1,4 @@
-"""Jobs in Blender, with a stand-in for the core: queue, end, crash, several Blenders at once."""
+"""Jobs in Blender, with a fake core: queue, end, crash, several Blenders at once."""
 
 import shutil
 import subprocess

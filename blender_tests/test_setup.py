@@ -17,7 +17,7 @@ from fantasia3d_addon.jobs.session import session  # noqa: E402
 pytestmark = [
     pytest.mark.blender,
     pytest.mark.usefixtures("empty", "addon"),
-    pytest.mark.skipif(os.name != "posix", reason="the stand-in is a shell program"),
+    pytest.mark.skipif(os.name != "posix", reason="the fake is a shell program"),
 ]
 # A Python that answers the probe, copies itself as an "environment", and simulates pip.
 PLAYED = """#!{python} -S

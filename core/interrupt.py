@@ -42,7 +42,7 @@ class Interrupts:
         self._timer: threading.Timer | None = None
 
     def raise_one(self, number: int, _: object) -> None:
-        """Raise KeyboardInterrupt, and once more while the work goes on in spite of it.
+        """Raise KeyboardInterrupt, and once more while the work continues in spite of it.
 
         trimesh takes whatever its imports and parsers raise for a missing library or a bad file,
         and an import in C drops it.

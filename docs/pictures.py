@@ -4,7 +4,7 @@
     python3 run.py python docs/pictures.py CHAIR TORUS MUG [NAME...]
 
 NAME is relighting, materials, cornell or physics. All take about a quarter of an hour of one core,
-and come to lie in docs/images.
+and are saved in docs/images.
 """
 
 import os

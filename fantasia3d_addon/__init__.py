@@ -16,7 +16,7 @@ def register() -> None:
 
 
 def unregister() -> None:
-    """Take them away again; a running job goes on by itself."""
+    """Remove them again; a running job continues by itself."""
     from .ui import registration
 
     registration.unregister()

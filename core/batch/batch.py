@@ -42,7 +42,7 @@ def run_batch(args: Namespace, job_of: Callable[[Row], Job]) -> Path:
     Raises:
         UserError: a wrong option, a table that cannot be read, a folder that cannot be written.
         SomeFailedError: some assets could not be made; all others are.
-        Cancelled: by Ctrl-C; a second call goes on.
+        Cancelled: by Ctrl-C; a second call continues.
     """
     _check(args)
     config_of(job_of(Row(0, "a cube")))  # options that are wrong for every row

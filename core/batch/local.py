@@ -31,7 +31,7 @@ class LocalPool:
         self._threads = THREADS if self.places > 1 or cores() == 1 else {}
 
     def start(self, task: Task) -> None:
-        """Begin or go on with ``task``, whose run folder has its job."""
+        """Start or continue ``task``, whose run folder has its job."""
         assert task.folder
         used = [gpu for _, _, gpu in self._running]
         named = card_of(task.job.device) if task.job else None

@@ -31,7 +31,7 @@ class Order:
 
 
 def make(order: dict[str, Any], parcel: bytes) -> Iterator[dict[str, Any]]:
-    """On a node: go on with the run in ``parcel``; its checkpoints now and then, then its end."""
+    """On a node: continue the run in ``parcel``; its checkpoints now and then, then its end."""
     asked, node = Order(**order), socket.gethostname()
     if asked.version != source_version():
         text = f"The node {node} has another version of this project; copy this one there."

@@ -92,8 +92,8 @@ def _pack(texts: dict[str, bytes], files: dict[str, Path]) -> bytes:
 def unpack(parcel: bytes, folder: Path, only: Collection[str] = ()) -> None:
     """Write what is in ``parcel`` into ``folder``: each file whole, an asset whole by rename.
 
-    An older asset goes only then. ``only``: the folders within it that may be written; all where
-    none is named.
+    An older asset is removed only then. ``only``: the folders within it that may be written; all
+    where none is named.
 
     Raises:
         UserError: a name that leads out of the folder, or out of those; an older asset that holds

@@ -1,4 +1,5 @@
-"""``resume RUN --ray-jobs URL``: the run goes on on a Ray cluster, and its folder here as if here.
+"""``resume RUN --ray-jobs URL``: the run continues on a Ray cluster, and its folder here as if
+here.
 
 This process holds the run's lock, hands the run folder with its inputs to the cluster as a job, and
 writes into the folder what comes back: events, previews, checkpoints, the asset. So whoever looks

@@ -43,7 +43,7 @@ class Pool(Protocol):
         ...
 
     def start(self, task: Task) -> None:
-        """Begin or go on with ``task``."""
+        """Start or continue ``task``."""
         ...
 
     def wait(self, seconds: float) -> list[tuple[Task, End]]:

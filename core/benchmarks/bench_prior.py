@@ -111,7 +111,7 @@ def words_for(noun: str, seed: int, known: dict[str, list[str]]) -> tuple[str, s
 
 
 def _make(run: Path, prompt: str, seed: int) -> str:
-    """Carry the run out, or go on with it; what went wrong, or ""."""
+    """Carry the run out, or continue it; the error text, or ""."""
     if (run / "job.json").exists():
         here = RunFolder.open(run)
     else:

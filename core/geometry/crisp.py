@@ -27,7 +27,8 @@ FARTHEST, FARTHEST_AT_FREE = 1.6, 0.8  # cells that a vertex moves; at a face wi
 MISSED = 0.25  # cells off one of its planes: they do not meet there
 PARALLEL = 0.25  # singular value below which planes are too parallel to find where they meet
 STEP = 0.9  # cosine between planes that do not meet: from the one to the other is a step
-# Cosine to a face without a plane that goes on smoothly; rings of faces until all is in the plane.
+# Cosine to a face without a plane that continues smoothly; rings of faces until all is in the
+# plane.
 SMOOTH, FADE = np.cos(np.radians(35.0)), 4
 SPREADING = 30  # rounds
 # Along a line a step back follows each step (Taubin 1995), or a closed line would shrink.
@@ -49,7 +50,7 @@ def crisp(
 
     Args:
         unbent: the same mesh before its faces were flattened: it shows what bends.
-        part: of each vertex; no plane goes on into another part.
+        part: of each vertex; no plane continues into another part.
         flatness: of each part, the flat fraction of its surface.
         cell: of the lattice that the mesh comes from, in units of ``verts``.
         smooth: whether they lose them.

@@ -44,7 +44,7 @@ class Leash(nn.Module):
         super().__init__()
         self.solid, self.extent, self.reach = solid, extent, max(reach, LEAST_REACH)
         self.cell = 2 * extent / (distance.shape[-1] - 1)
-        # Made from the guide, whenever a run goes on: in no checkpoint.
+        # Made from the guide, whenever a run continues: in no checkpoint.
         self.register_buffer("distance", distance, persistent=False)
 
     def forward(

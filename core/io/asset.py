@@ -111,7 +111,7 @@ def write_asset(
     info: dict[str, Any],
     preview: Float[Tensor, "h w c"] | UInt8[np.ndarray, "h w c"] | None = None,
 ) -> Path:
-    """Write the asset into a temporary folder and rename that; an older one goes only then.
+    """Write the asset into a temporary folder and rename that; an older one is removed only then.
 
     ``mesh`` is in world axes and metres; ``info`` is what asset.json reports of how it was made;
     ``preview`` is sRGB, in [0, 1] or of 8 bits.

@@ -123,7 +123,7 @@ def flush_folder(folder: Path) -> None:
 
 
 def take_place(new: Path, folder: Path) -> None:
-    """Give the folder ``new`` the name ``folder``; the one that had it goes only then.
+    """Give the folder ``new`` the name ``folder``; the older one is removed only then.
 
     Whole after a power cut too. After a failure the older one gets its name back.
     """

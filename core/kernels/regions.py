@@ -11,10 +11,10 @@ LEAST_COSINE, FARTHEST = 0.3, 1.6  # to a plane that a face may take, and cells 
 def connected(seed, plane, least, far, normal, middle, part, label, adjacent, mark, stamp, queue):
     """How many faces are connected to ``seed`` along a plane; they come first in ``queue`` (F,).
 
-    ``plane`` (4,) is a normal and an offset. A face goes on where it is of the seed's ``part``, has
-    no ``label`` yet, its ``normal`` makes an angle with the plane's of at least the cosine
-    ``least``, and its ``middle`` is within ``far`` of the plane. ``mark`` (F,) is ``stamp`` where
-    one was.
+    ``plane`` (4,) is a normal and an offset. A region grows over a face where it is of the seed's
+    ``part``, has no ``label`` yet, its ``normal`` makes an angle with the plane's of at least the
+    cosine ``least``, and its ``middle`` is within ``far`` of the plane. ``mark`` (F,) is ``stamp``
+    where one was.
     """
     queue[0], mark[seed], first, last = seed, stamp, 0, 1
     while first < last:

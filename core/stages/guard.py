@@ -54,7 +54,7 @@ class Guard:
                 "Use another seed, a --guide mesh, or a lower --set "
                 f"{self._training.name}.{phase}.guidance_scale.",
             )
-        # The generator goes on: with the same noise the same step would fail again.
+        # The generator continues: with the same noise the same step would fail again.
         noise = self._training.generator.get_state()
         self._training.set_state(self._training.healthy)
         self._training.generator.set_state(noise)

@@ -91,7 +91,7 @@ def train(
     guard = Guard(training, progress)
     checkpoint, preview = Every(CHECKPOINT_SECONDS), Every(PREVIEW_SECONDS, at_once=True)
     # Only their number: a phase's rates and noise follow its whole length, so that a later session
-    # goes on as if there had been no stop.
+    # continues as if there had been no stop.
     counts = first_steps([phase.steps for phase in phases], stop)
 
     for step in progress.steps(training.name, training.step, counts):

@@ -1,6 +1,7 @@
 """A fake core for the batch's tests: ``fake_resume.py RUN`` does what the job's prompt asks for.
 
-A step is counted in ``checkpoint/steps.safetensors``, so that a second session goes on from there.
+A step is counted in ``checkpoint/steps.safetensors``, so that a second session continues from
+there.
 """
 
 import json

@@ -94,7 +94,7 @@ def pack(
                 best, step = (with_strays(at, apart * scale, found), scale), GROWTH
             elif not round_ % 2:  # upright again, it had to be another scale
                 step += GROWTH / 2
-            if best and few:  # our own packing goes on from there
+            if best and few:  # our own packing continues from there
                 break
             if best:
                 scale = best[1] * (1 + step)

@@ -140,7 +140,7 @@ def _run_core(command: Sequence[str | Path], environ: dict[str, str]) -> int:
         assert process.stdout
         with _ignore_ctrl_c():  # after the start, or the core would inherit it
             for line in process.stdout:
-                # Nobody reads it, or the terminal has no such letter: the job goes on.
+                # Nobody reads it, or the terminal has no such letter: the job continues.
                 with contextlib.suppress(OSError, UnicodeEncodeError):
                     print(line, end="", flush=True)
             process.wait()

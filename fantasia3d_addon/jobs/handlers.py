@@ -16,7 +16,7 @@ def _before_save(*_: object) -> None:
 
 @persistent
 def _after_save(*_: object) -> None:
-    session.show_candidates()  # a run that goes on shows its preview again by itself
+    session.show_candidates()  # a run that continues shows its preview again by itself
 
 
 @persistent

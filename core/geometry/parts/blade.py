@@ -1,7 +1,7 @@
 """The blade that a component is: a lozenge across, that comes to a point.
 
 By least squares (:mod:`core.geometry.parts.fitting`): a network rounds thin edges off, and the
-sides tell where they meet.
+sides show where they meet.
 """
 
 import numpy as np

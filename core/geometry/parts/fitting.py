@@ -66,7 +66,7 @@ def _primitive_of(
         return (flat or fraction < ENDS) and fraction >= flattest and _covered(one, points, error)
 
     best, limit = None, np.inf
-    gain = TURNED_GAIN  # of what lies along the coordinate axes
+    gain = TURNED_GAIN  # for solids along the coordinate axes
     for frame in frames_of(points):
         starts = (one for one in _starts(points, frame) if flat or one.form != "box")
         starts = (one for one in starts if not flattest or one.form in ("box", "frustum"))
@@ -173,7 +173,7 @@ def _fitted(
     def residuals(x: np.ndarray) -> np.ndarray:
         one = of(x)
         local = one.local(points)
-        # No point tells where a side ends that is long: it ends where the points do.
+        # No point shows where a long side ends: it ends where the points do.
         low, high = _ends(one)
         ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])
         return np.concatenate([FORMS[one.form].distance(local, one.lengths), LIMIT * ends]) / error

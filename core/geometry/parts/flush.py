@@ -9,7 +9,7 @@ from scipy.sparse.csgraph import connected_components
 from core.geometry.parts.primitives import Primitive
 
 STEP = 0.015  # training units, at most, between faces that are one plane
-OVER = 0.5  # of the smaller face, what lies upon the other: a pane on its wall stays
+OVER = 0.5  # of the smaller face, its part upon the other: a pane on its wall stays
 UPRIGHT = 1e-6  # of a cosine: along the coordinate axes
 
 
@@ -58,7 +58,7 @@ def groups(ends: dict[int, Float[np.ndarray, "2 3"]], side: int, axis: int) -> l
 
 
 def overlap(a: Float[np.ndarray, "2 3"], b: Float[np.ndarray, "2 3"], axis: int) -> float:
-    """How much of the smaller of two faces across an axis lies upon the other."""
+    """The fraction of the smaller of two faces across an axis that is upon the other."""
     others = [i for i in range(3) if i != axis]
     low, high = np.maximum(a[0], b[0])[others], np.minimum(a[1], b[1])[others]
     least = min(np.prod((x[1] - x[0])[others]) for x in (a, b))

@@ -97,7 +97,7 @@ def even_layers(
 
 
 def ends_fraction(layers: Primitive) -> float:
-    """The fraction of the layers' surface that lies across their axis, or axes."""
+    """The fraction of the layers' surface across their axis, or axes."""
     verts, faces = layers.mesh(np.inf)
     area, normal = areas_and_normals(verts.double().numpy() @ layers.frame, faces.numpy())
     frames = [np.eye(3)]
