@@ -123,7 +123,7 @@ def parser() -> argparse.ArgumentParser:
         "--hold", action="store_true", help="train only the nouns that the data contains"
     )
     train.add_argument(
-        "--anew",
+        "--new-kinds",
         action="store_true",
         help="solids only: start the kinds of the data's nouns again; their families changed",
     )
@@ -193,9 +193,9 @@ def data(options: argparse.Namespace) -> None:
 
 def train(options: argparse.Namespace) -> None:
     """Train one network."""
-    if (options.anew or options.encoder) and options.network != SOLID:
+    if (options.new_kinds or options.encoder) and options.network != SOLID:
         raise UserError(
-            f"--anew and --encoder are for solids, and this training is for {options.network}.",
+            f"--new-kinds and --encoder are for solids; this training is for {options.network}.",
             "Leave them out.",
         )
     if options.encoder:
@@ -225,7 +225,7 @@ def train(options: argparse.Namespace) -> None:
     if isinstance(training, SolidTraining) and not checkpoint.exists():
         if options.encoder:
             training.encode_as(options.encoder)
-        if options.anew:
+        if options.new_kinds:
             training.forget_kinds(samples)
         elif options.start:
             samples.order_kinds(training.net.decoder)

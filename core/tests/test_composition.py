@@ -127,6 +127,14 @@ def test_a_robots_panel_is_no_pair_of_eyes():
     assert head_of(robot).eyes > float(centered(robot)[2])
 
 
+def test_a_helmet_fits_the_head_and_its_horns_stand_out():
+    head, helmet = head_of(body("a bear")), body("a viking helmet")
+    there = helmet.placed(worn(helmet, body("a bear")))
+    shell = there.without("horns", "sockets")[:, 0]
+    assert float(shell.amax() - shell.amin()) == pytest.approx(head.wide, rel=0.2)
+    assert float(there.sides[0]) > 1.5 * head.wide
+
+
 def test_what_has_no_eyes_wears_a_hat_on_its_top():
     pumpkin = body("a pumpkin")
     hat = body("a wizard hat").placed(worn(body("a wizard hat"), pumpkin))

@@ -57,7 +57,7 @@ def with_it(prompt: str) -> tuple[str, list[tuple[str, str]]]:
         ("a wizard wearing a golden crown", "wizard", "wears", "golden crown"),
         ("a man carrying a backpack", "person", "wears", "backpack"),
         ("a pig with a blue backpack", "pig", "wears", "blue backpack"),
-        ("a cat wearing a santa hat", "cat", "wears", "red beanie"),
+        ("a cat wearing a santa hat", "cat", "wears", "santa hat"),
         ("a dog with a green bow tie around its neck", "dog", "wears", "green bow tie"),
         ("a bear with a red scarf in blue", "blue bear", "wears", "red scarf"),
         ("crab holding a sharp kitchen knife", "crab", "holds", "knife"),

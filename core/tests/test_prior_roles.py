@@ -16,8 +16,8 @@ def read(prompt: str) -> tuple[str, list[str]]:
 @pytest.mark.parametrize(
     ("prompt", "thing", "others"),
     [
-        ("a penguin chef", "penguin", ["wears white beanie", "wears white shirt"]),
-        ("a chef penguin", "penguin", ["wears white beanie", "wears white shirt"]),
+        ("a penguin chef", "penguin", ["wears chef hat", "wears white shirt"]),
+        ("a chef penguin", "penguin", ["wears chef hat", "wears white shirt"]),
         ("a pirate cat", "cat", ["wears pirate hat"]),
         ("a cute frog prince", "frog", ["wears golden crown", "wears blue cape"]),
         ("a robot samurai", "samurai", []),
@@ -56,7 +56,7 @@ def read(prompt: str) -> tuple[str, list[str]]:
         (
             "a penguin chef next to an oven",
             "penguin",
-            ["wears white beanie", "wears white shirt", "beside stove"],
+            ["wears chef hat", "wears white shirt", "beside stove"],
         ),
         ("a crocodile dentist", "crocodile", ["wears white fabric jacket"]),
         ("a zombie cheerleader", "zombie", ["wears red dress"]),

@@ -46,6 +46,7 @@ def test_a_sort_is_of_a_known_thing_and_of_kinds_that_the_network_has_seen(guida
         ("black top hat with a red ribbon", "hat", "top hat"),
         ("a three-tier wedding cake", "cake", "wedding"),
         ("a slice of pizza", "pizza", "slice of"),
+        ("a spiked wooden club", "club", "spiked"),
         ("a french-door fridge", "refrigerator", "french door"),
     ],
 )
@@ -72,6 +73,7 @@ def _words_of(noun, said):
         "a pizza with a piece missing",
         "a window with no wooden shutters",
         "a paintbrush on a wall",
+        "a club without spikes",
     ],
 )
 def test_what_is_said_of_another_thing_or_denied_names_no_sort(prompt):
@@ -182,6 +184,8 @@ MEASURED: list[tuple[str, str, Callable[[Drawn], float], bool]] = [
     ("pillow", "tassel", Drawn.full, False),
     ("screwdriver", "slotted", Drawn.tip_flat, True),
     ("screwdriver", "phillips", Drawn.tip_flat, False),
+    ("club", "spiked", Drawn.full, False),
+    ("club", "smooth", Drawn.full, True),
     ("paintbrush", "flat", Drawn.full, True),
     ("paintbrush", "artist", Drawn.full, False),
 ]

@@ -332,7 +332,7 @@ def test_turning_a_pictures_normals_turns_them_with_the_camera():
         ("train solid --batch 0", "use 1 or more"),
         ("train solid --device abacus", "invalid choice"),
         ("train solid --out FOLDER", "There are no files"),
-        ("train parts --anew --out FOLDER", "are for solids"),
+        ("train parts --new-kinds --out FOLDER", "are for solids"),
         ("train solid --encoder nowhere.safetensors --out FOLDER", "There is no checkpoint"),
         ("data --nouns blorb", "invalid choice"),
         ("evaluate geometry --views 0", "use 1 or more"),

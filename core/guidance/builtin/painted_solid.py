@@ -88,6 +88,7 @@ class PaintedSolid:
         noun = self.words.noun
         gone = {name for name in self.words.absent if not bears(self.words, name)}
         gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
+        gone |= {part.name for part in self.paints if part.look.asked and not part.apart}
         if any(one.emblem.text and not one.emblem.on for one in self.emblems):
             gone |= {"letters", NUMBER}  # the prompt's own replace them
         if self.words.emblems and is_marking(noun, "badge"):

@@ -29,6 +29,7 @@ from core.guidance.builtin.words.colors import (
 )
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.part_names import ASKED
 from core.guidance.builtin.words.part_tables import FRAMES, WHOLE
 from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS
 
@@ -121,6 +122,7 @@ class Look(NamedTuple):
     finish: Finish
     material: str = ""  # its finish's name, or the kind of its substance
     shaded: str = ""  # for a marking, the part whose colour it has a shade of under words
+    asked: bool = False  # present only where the prompt states something of it
 
 
 @cache
@@ -139,8 +141,9 @@ def _look(noun: str, part: str, text: str) -> Look:
     red, green, blue = rgb
     # A joint in the colour of the planks would not be visible.
     on = MARKINGS[noun][part].on if text[0] == SHADE else ""
-    role = _role(noun, on) if on else text[0]
-    return Look(role, (red, green, blue), pattern.strip("."), finish, kind, on)
+    asked = text[0] == ASKED
+    role = _role(noun, on) if on else "-" if asked else text[0]
+    return Look(role, (red, green, blue), pattern.strip("."), finish, kind, on, asked)
 
 
 def _role(noun: str, part: str) -> str:

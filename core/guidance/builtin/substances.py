@@ -125,7 +125,7 @@ OF_A_THING = {
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
     ),
-    "liquid": "teacup tea, wine glass liquid",
+    "liquid": "teacup tea, wine glass liquid, toxic barrel goo",
     "masonry": "igloo arch",
     "metal": (
         "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
@@ -148,7 +148,9 @@ OF_A_THING = {
         "easel hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, "
         "clipboard lines, clipboard boxes, notice board notes, notice board cards, atm notes, "
         "alarm clock face, pocket watch face, gift box, envelope flap, popcorn stripes, target "
-        "board, target blacks, target blues, target reds, target golds"
+        "board, target blacks, target blues, target reds, target golds, whiteboard notes, floppy "
+        "disk stripe, pizza box box, pizza box salami, pizza box cheese, cereal box box, wanted "
+        "poster hat"
     ),
     "peel": (
         "kiwi skin, muffin berries, snowman nose, avocado skin, mushroom cap, roast chicken "
@@ -268,14 +270,15 @@ OF_THE_REST = {
     "paint": "bowling pin, slide, basketball hoop, carousel",
     "paper": (
         "scroll, envelope, book, stack of books, paper cup, toilet paper, gift, cardboard box, "
-        "paper lantern"
+        "paper lantern, wanted poster, newspaper, treasure map, playing card, tarot card, "
+        "pizza box, cereal box, passport"
     ),
     "peel": (
         "chili pepper, apple, pear, strawberry, cherry, lemon, grapes, eggplant, pepper, peach, "
         "tomato, orange fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, "
         "coconut, pineapple, watermelon slice"
     ),
-    "plastic": "ball, balloon, torus",
+    "plastic": "ball, balloon, torus, credit card, floppy disk, domino, mahjong tile",
     "scales": (
         "pufferfish, chameleon, velociraptor, pterodactyl, brachiosaurus, fish, snake, crocodile, "
         "lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, mermaid"
@@ -305,6 +308,7 @@ OF_A_GROUP = {
     "Household": "plastic",
     "Fixtures and Utensils": "plastic",
     "Small Things": "plastic",
+    "Flags and Signs": "paint",
     "Plants": "leaf",
 }
 
@@ -335,12 +339,13 @@ GLOW = {
     1.0: "lightsaber blade, sun disc, sun glints",
     0.6: (
         "ray gun tip, brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, "
-        "jack-o-lantern mouth, computer tower lights"
+        "jack-o-lantern mouth, computer tower lights, sci-fi crate lights, sci-fi door lights, "
+        "landmine light"
     ),
     0.4: (
         "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens, "
         "lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
-        "lights, server rack lamps, wall sconce bulb, pendant lamp bulb"
+        "lights, server rack lamps, wall sconce bulb, pendant lamp bulb, toxic barrel goo"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "

@@ -283,12 +283,9 @@ def soldier(draw: Draw) -> Parts:
                 capsule((w * 0.55, -w * 0.8, f.leg + 0.2), (w * 0.5, -w * 0.66, f.top - 0.1), 0.09)
             ),
         ),
-        "boots": f.shoes(0.42),
+        "boots": join(f.shoes(0.42), f.eyes()),
         "skin": join(f.skull(), f.hands()),
-        "rifle": join(
-            moved(rifle, (0, y, f.top - 0.5)),
-            f.eyes(),
-        ),
+        "rifle": moved(rifle, (0, y, f.top - 0.5)),
     }
 
 

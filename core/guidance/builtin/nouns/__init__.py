@@ -12,6 +12,7 @@ from core.guidance.builtin.nouns.cars import CARS
 from core.guidance.builtin.nouns.clothes_and_shoes import CLOTHES_AND_SHOES
 from core.guidance.builtin.nouns.common_wild_animals import COMMON_WILD_ANIMALS
 from core.guidance.builtin.nouns.computers_and_game_machines import COMPUTERS_AND_GAME_MACHINES
+from core.guidance.builtin.nouns.crates_and_drums import CRATES_AND_DRUMS
 from core.guidance.builtin.nouns.dinosaurs_and_mythical_beasts import DINOSAURS_AND_MYTHICAL_BEASTS
 from core.guidance.builtin.nouns.dishes_and_groceries import DISHES_AND_GROCERIES
 from core.guidance.builtin.nouns.doors_and_bathroom import DOORS_AND_BATHROOM
@@ -37,6 +38,7 @@ from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.people import PEOPLE
 from core.guidance.builtin.nouns.phones_cameras_and_audio import PHONES_CAMERAS_AND_AUDIO
 from core.guidance.builtin.nouns.plants import PLANTS
+from core.guidance.builtin.nouns.printed_things import PRINTED_THINGS
 from core.guidance.builtin.nouns.relics_and_nature import RELICS_AND_NATURE
 from core.guidance.builtin.nouns.reptiles_and_insects import REPTILES_AND_INSECTS
 from core.guidance.builtin.nouns.road_and_yard import ROAD_AND_YARD
@@ -61,8 +63,8 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Household": KITCHEN | DOORS_AND_BATHROOM | LAMPS_CLOCKS_AND_ORNAMENTS,
     "Fixtures and Utensils": FIXTURES_AND_UTENSILS,
     "Small Things": TABLEWARE_AND_TEXTILES | SCHOOL_AND_LABORATORY | SOUND_AND_HARDWARE,
-    "Props": ADVENTURE_PROPS | ROAD_AND_YARD | GIFTS_AND_DECORATIONS,
-    "Flags and Signs": FLAGS_AND_SIGNS,
+    "Props": ADVENTURE_PROPS | CRATES_AND_DRUMS | ROAD_AND_YARD | GIFTS_AND_DECORATIONS,
+    "Flags and Signs": FLAGS_AND_SIGNS | PRINTED_THINGS,
     "Arms and Fantasy": WEAPONS | RELICS_AND_NATURE,
     "Food": DISHES_AND_GROCERIES | BREAD_AND_SWEETS,
     "Fruit and Vegetables": FRUIT_AND_VEGETABLES,

@@ -132,13 +132,13 @@ ADVENTURE_PROPS = {
         Usual(0.9, WOOD, 0.5),
     ),
     "barrel": Noun(
-        "wine barrel, cask, keg; oil drum, vat, oil barrel",
+        "wine barrel, cask, keg; vat",
         {"body": "*8a5a2e grain", "hoops": "+55585c . metal", "seams": "~4a2e16 grain"},
         Usual(0.9, WOOD, 0.25),
     ),
     "crate": Noun(
-        "shipping crate, supply crate; packing case, ammo box, care package, ammo crate, wooden "
-        "box, storage box, storage bin, storage crate, lobster trap, lobster pot",
+        "shipping crate, supply crate; packing case, care package, wooden box, "
+        "storage box, storage bin, storage crate, lobster trap, lobster pot",
         {
             "planks": "*b98a52 grain",
             "frame": "&9c6f3e grain",
@@ -187,7 +187,7 @@ ADVENTURE_PROPS = {
     ),
     "book": Noun(
         "spellbook, old book; bible, tome, grimoire, dictionary, novel, textbook, necronomicon, "
-        "encyclopedia, magazine, newspaper, passport, paperback, comic book, calendar, manual",
+        "encyclopedia, magazine, paperback, comic book, calendar, manual",
         {
             "cover": "*7a1f24",
             "pages": "-f0e6cc",
@@ -199,7 +199,7 @@ ADVENTURE_PROPS = {
         Usual(0.26, WOOD, 0.47),
     ),
     "scroll": Noun(
-        "parchment scroll; parchment, map scroll, map, treasure map, papyrus",
+        "parchment scroll; parchment, map scroll, papyrus",
         {"paper": "*e6d4a8", "rods": "+6b4424 grain", "seal": "-a8241f", "letters": "-4a3722"},
         Usual(0.35, WOOD, 0.16),
     ),

@@ -192,6 +192,29 @@ AIRCRAFT_AND_SPACE = {
         Usual(0.4, STONE, 0.03),
         "ball",
     ),
+    "jupiter": Noun(
+        "planet jupiter, jupiter planet",
+        {
+            "body": "*d9bd95 . plastic",
+            "whorl": "-cc7a50 . plastic",
+            "storm": "+b5512f . plastic",
+            "bands": "&a9764c . plastic",
+            "zones": "-f1e4cc . plastic",
+        },
+        Usual(0.4, STONE, 0.03),
+        "ball",
+    ),
+    "mars": Noun(
+        "planet mars, red planet, mars planet",
+        {
+            "body": "*c0623a . stone",
+            "ice": "-f3efe9 . plastic",
+            "craters": "~99472a . stone",
+            "plains": "+a5512f . stone",
+        },
+        Usual(0.4, STONE, 0.03),
+        "ball",
+    ),
     "full moon": Noun(
         "moon globe, lunar globe, moon ball",
         {"body": "*d2d0c9 . stone", "craters": "-a6a49f . stone"},

@@ -98,6 +98,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "mane": "+e6c46a",
             "hooves": "-a8803c",
             "eyes": "-1c2c4a",
+            "socks": "?f3efe8",
         },
         Usual(2.6, FLESH, 0.3),
     ),

@@ -20,6 +20,21 @@ DOORS_AND_BATHROOM = {
         },
         Usual(2.0, WOOD, 0.072),
     ),
+    "sci-fi door": Noun(
+        "scifi door, futuristic door, spaceship door, space door, sci-fi gate, bulkhead door, "
+        "blast door; airlock, cyberpunk door",
+        {
+            "door": "*5b656f . metal",
+            "panels": "&748090 . metal",
+            "frame": "+2b3037 . metal",
+            "lights": "-37dff0",
+            "seam": "-14171b",
+            "stripes": "-e9b02c . paint",
+            "lines": "~3b434c . metal",
+        },
+        Usual(2.4, STEEL, 0.02),
+        "door",
+    ),
     "window": Noun(
         "house window; sash window, window frame, skylight",
         {

@@ -96,7 +96,7 @@ HATS_BAGS_AND_JEWELLERY = {
             "sockets": "&b08a45 . golden",
             "rivets": "-5d6368 . metal",
         },
-        Usual(0.4, STEEL, 0.02),
+        Usual(0.4, STEEL, 0.05),
     ),
     "motorcycle helmet": Noun(
         "motorbike helmet, motorcyclist helmet, racing helmet, crash helmet, biker helmet; bike "
@@ -121,18 +121,18 @@ HATS_BAGS_AND_JEWELLERY = {
             "brim": "*eab017 . paint",
             "badge": "+f4f2ec . paint",
         },
-        Usual(0.32, PLASTIC, 0.06),
+        Usual(0.32, PLASTIC, 0.1),
     ),
     "santa hat": Noun(
         "santa claus hat, santa's hat, christmas hat, xmas hat, father christmas hat; elf hat, "
         "gnome hat, nightcap, night cap, sleeping cap",
         {"cap": "*b81d22 . fabric", "brim": "+f6f3ec . fabric", "pompom": "+f6f3ec . fabric"},
-        Usual(0.34, FABRIC, 0.12),
+        Usual(0.34, FABRIC, 0.06),
     ),
     "chef hat": Noun(
         "chef's hat, chef cap, cook hat, cook's hat, baker hat, toque blanche, chef's cap",
         {"band": "*f4f1ea . fabric", "top": "*f8f6f1 . fabric", "pleats": "~d9d4c8 . fabric"},
-        Usual(0.3, FABRIC, 0.08),
+        Usual(0.3, FABRIC, 0.04),
     ),
     "gas mask": Noun(
         "gasmask, respirator, gas masks, respirator mask; dust mask, hazmat mask, military gas "

@@ -187,8 +187,7 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
         Usual(0.12, GLASS, 0.6),
     ),
     "picture frame": Noun(
-        "photo frame, framed picture, painting; portrait, poster, "
-        "whiteboard, blackboard, chalkboard, mona lisa",
+        "photo frame, framed picture, painting; portrait, poster, mona lisa",
         {"frame": "*c9982f . golden", "picture": "-8fc3e6", "hills": "-4f8a45", "sun": "-f5cf3c"},
         Usual(0.6, WOOD, 0.16),
     ),
@@ -203,7 +202,7 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
         Usual(0.2, GOLD, 0.12),
     ),
     "hat": Noun(
-        "top hat; elf hat, clown hat, turban, bonnet, bowler hat, bowler, derby hat, fez, jester "
+        "top hat; clown hat, turban, bonnet, bowler hat, bowler, derby hat, fez, jester "
         "hat, leprechaun hat, graduation cap, graduation hat, mortarboard",
         {"body": "*1c1c20", "ribbon": "+a01822", "buckle": "-e0b84a . golden", "piping": "+a01822"},
         Usual(0.3, FABRIC, 0.15),
@@ -236,7 +235,7 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
     "cardboard box": Noun(
         "carton box, open cardboard box, open box, moving box, shipping box, "
         "delivery box, packing box, paper box; cardboard carton, shoe box, shoebox, amazon box, "
-        "pizza box, tissue box, box of chocolates, chocolate box, cereal box",
+        "tissue box, box of chocolates, chocolate box",
         {
             "body": "*bf9159",
             "flaps": "*c99c64",

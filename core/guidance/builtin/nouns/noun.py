@@ -38,8 +38,8 @@ class Noun(NamedTuple):
     pattern ("." is none) and a finish, both by name in ``palette``. Roles: ``*`` is what a colour
     word is about; ``+`` is an accent and keeps its colour until a second one is stated; ``&`` is an
     accent that goes with the first colour until then; ``~`` is a marking in a shade of what it lies
-    on; ``-`` keeps its nature. Material words are
-    about all but the last.
+    on; ``-`` keeps its nature; ``?`` is a marking that is drawn only where the prompt states
+    something of it. Material words are about all but the last two.
     """
 
     names: str

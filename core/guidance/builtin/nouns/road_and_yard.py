@@ -46,7 +46,7 @@ ROAD_AND_YARD = {
         Usual(2.2, STEEL, 0.004),
     ),
     "signpost": Noun(
-        "sign post, road sign; sign, billboard",
+        "sign post, road sign; sign",
         {"boards": "*a5743e grain", "post": "&7a4a24 grain", "base": "-8a8a82 . stone"},
         Usual(2.0, WOOD, 0.11),
     ),

@@ -4,7 +4,7 @@ from core.guidance.builtin.nouns.noun import PLASTIC, RUBBER, STEEL, WOOD, Noun,
 
 SOLIDS = {
     "ball": Noun(
-        "sphere, orb; snowball, jupiter, venus, neptune, planet mars",
+        "sphere, orb; snowball, venus, neptune",
         {"body": "*d9661f"},
         Usual(0.22, RUBBER, 0.07),
     ),

@@ -62,8 +62,7 @@ SOUND_AND_HARDWARE = {
     ),
     "vinyl record": Noun(
         "vinyl disc, lp record, gramophone record, music record, vinyl records, vinyl album, "
-        "phonograph record, lp; cd, dvd, compact disc, compact disk, vinyl disk, blu ray, "
-        "cd rom, music disc",
+        "phonograph record, lp; vinyl disk, music disc",
         {
             "disc": "*1a1a1c",
             "grooves": "~2c2c30",
@@ -71,6 +70,18 @@ SOUND_AND_HARDWARE = {
             "hole": "-d9d5cc",
         },
         Usual(0.3, PLASTIC, 0.08),
+    ),
+    "compact disc": Noun(
+        "cd, dvd, compact disk, blu ray, cd rom, blu-ray disc, cds, dvds, dvd disc, cd disc",
+        {
+            "disc": "*dfe4ea . metal",
+            "rays": "-b79be0 . metal",
+            "hole": "-2a2c30",
+            "greens": "-8fe0b0 . metal",
+            "hub": "-eef1f4 . plastic",
+        },
+        Usual(0.12, PLASTIC, 0.14),
+        "vinyl record",
     ),
     "screw": Noun(
         "wood screw; bolt, machine screw, wall screw",

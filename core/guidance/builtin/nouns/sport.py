@@ -276,6 +276,18 @@ SPORT = {
         },
         Usual(1.9, WOOD, 0.17),
     ),
+    "yoga mat": Noun(
+        "yogamat, exercise mat, gym mat, fitness mat, pilates mat, yoga mats; sleeping mat",
+        {"mat": "*7a4fa3 . rubber", "flowers": "+cfb4e6 . rubber", "border": "~5a3a7a . rubber"},
+        Usual(1.8, RUBBER, 0.007),
+        "bench",
+    ),
+    "hockey puck": Noun(
+        "ice hockey puck, puck, hockey pucks",
+        {"body": "*1d1d1f . rubber", "grip": "~2f2f33 . rubber", "badge": "+e9e6dd . paint"},
+        Usual(0.076, RUBBER, 1.0),
+        "desk lamp",
+    ),
     "kite": Noun(
         "diamond kite, flying kite, paper kite; stunt kite, toy kite",
         {

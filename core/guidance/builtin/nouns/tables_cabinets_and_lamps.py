@@ -71,7 +71,7 @@ TABLES_CABINETS_AND_LAMPS = {
     ),
     "cabinet": Noun(
         "sideboard, cupboard; credenza, kitchen cabinet, filing cabinet, shoe rack, tv stand, "
-        "buffet, locker, school locker, display case, display cabinet, vitrine",
+        "buffet, display case, display cabinet, vitrine",
         {
             "body": "*7f5029 grain",
             "doors": "*a06c3a grain",
@@ -93,6 +93,20 @@ TABLES_CABINETS_AND_LAMPS = {
             "panels": "~5a3818 grain",
         },
         Usual(2.0, WOOD, 0.06),
+    ),
+    "school locker": Noun(
+        "locker, lockers, school lockers, gym locker, metal locker, steel locker",
+        {
+            "body": "*3f6f9e . paint",
+            "doors": "*4a80b4 . paint",
+            "handles": "-c3c8cd . metal",
+            "feet": "-2a2d31 . metal",
+            "vents": "-1c2a38 . metal",
+            "plate": "-e8ebee . metal",
+            "number": "-1d1f23",
+        },
+        Usual(1.8, STEEL, 0.004),
+        "wardrobe",
     ),
     "dresser": Noun(
         "chest of drawers, drawers; bureau, tallboy",

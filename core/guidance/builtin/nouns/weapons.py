@@ -43,7 +43,7 @@ WEAPONS = {
             "band": "-5a5f66 . metal",
             "spikes": "-b4bac2 . metal",
         },
-        Usual(0.9, WOOD, 0.2),
+        Usual(0.9, WOOD, 0.13),
     ),
     "war hammer": Noun(
         "war hammers, warhammer, warhammers, battle hammer, battlehammer, great hammer, "

@@ -11,7 +11,7 @@ from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words.companion_openers import Relation, ends_in_name, named_in
 from core.guidance.builtin.words.companion_words import is_dressed
 from core.guidance.builtin.words.lexicon import Entry
-from core.guidance.builtin.words.part_names import as_part, is_wide, is_within, owns
+from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 
 _PLACING = ("on", "in")  # a thing has one of these
@@ -51,6 +51,7 @@ def fitting(
     ``found``."""
     if verb in _DRIVING and named_in(phrase) in known_as.CONTAINERS:
         relation = "in"
+    is_worn = not weak or relation == "in"  # "in boots", not "with boots"
     if relation == "in":
         relation = known_as.as_meant(named_in(phrase))
     if relation in _PLACING and any(one.relation in _PLACING for one in found):
@@ -81,8 +82,10 @@ def fitting(
     # Another kind of hat replaces its own; "a hat" does not.
     own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
     another = relation == "wears" and other in known_as.HEADWEAR and not own
-    anew = relation == "wears" and known_as.is_put_on(first, other)
-    if not another and not anew and is_part(got.entry, first):
+    added = relation == "wears" and known_as.is_put_on(first, other)
+    # "With white socks" is of a horse's legs, and "wearing socks" of its clothes.
+    added = added or (relation == "wears" and is_worn and is_asked(first, got.entry.form))
+    if not another and not added and is_part(got.entry, first):
         return None
     is_so = {
         "on": lambda: known_as.may_bear(other, first, heaped),

@@ -9,13 +9,11 @@ from collections.abc import Iterator
 from core.guidance.builtin.words.lexicon import PARTS, look_up
 from core.guidance.builtin.words.part_names import is_wide, own_name
 from core.guidance.builtin.words.tokens import LONGEST, Tokens
-from core.guidance.builtin.words.words import IGNORED_ADJECTIVES, LOOKS
+from core.guidance.builtin.words.words import LOOKS
 
 ENDING = "ed"
 # "Gold plated" means no plate, "crooked" no crook.
-NO_PARTS = IGNORED_ADJECTIVES.union(
-    "plated painted glazed coated varnished covered wrapped".split()
-)
+NO_PARTS = "plated painted glazed coated varnished covered wrapped crooked".split()
 JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 

@@ -118,7 +118,6 @@ _ROWS = {
     "silver bar": "silver",
     "silver bullet": "silver",
     "metal bar": "metal",
-    "oil drum, oil barrel": "blue of metal; hoops: blue",
     "poppy": "red; heart: black",
     "daffodil": "yellow; heart: orange",
     "orchid": "violet",
@@ -147,8 +146,8 @@ _ROWS = {
     "mustard bottle, olive oil": "mustard",
     # clothes and vehicles
     "straw hat, panama hat": "straw",
-    "santa hat, santa claus hat, christmas hat": "red; brim: white; pompom: white",
-    "chef hat, chef cap, sailor hat, sailor cap": "white; brim: white; pompom: white",
+    "sailor hat, sailor cap": "white; brim: white; pompom: white",
+    "elf hat": "green; brim: dark green",
     "leprechaun hat": "green; ribbon: black",
     "graduation cap, graduation hat, mortarboard, bowler hat, bowler": "black; ribbon: black",
     "fez": "red; ribbon: black",

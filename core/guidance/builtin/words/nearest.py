@@ -213,7 +213,7 @@ REAL = frozenset(
     stretches stride strides strife strike strikes strip stripping strips strive strives
     strokes stroll strong struck strung stuns sturgeon styles sued suffer suffers suite
     sunday sunk surfaced swain swallows swann swatch swatches swears sweat sweeter swell
-    swine sworn synthesized tail tale talk talks tally taped taper tara tarot tarzan
+    swine sworn synthesized tail tale talk talks tally taped taper tara tarzan
     tastes teaches tears teenage teethe tempe templates tends tenet tenets tenth thank
     thanks thatcher theater theaters thermo thine thing things think thinks thorn thorne
     thorns those threat threats three throng ticks tier tiers tight time timer timers

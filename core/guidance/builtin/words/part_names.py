@@ -30,6 +30,7 @@ FOUR_LEGS = frozenset(
 
 
 LIQUID = "liquid"
+ASKED = "?"  # role of a part that is drawn only where the prompt states something of it
 CONTAINED = ("liquid", "brew", "water")
 # Roles of most of a thing, and of its trim; the second only without any of the first.
 WIDE = dict.fromkeys(WHOLE, ("*&",)) | dict.fromkeys(TRIM, ("+", "&"))
@@ -91,6 +92,11 @@ def is_wide(noun: str, part: str) -> bool:
     return part in WIDE and part not in looks_of(noun) and part not in CALLED.get(noun, {})
 
 
+def is_asked(noun: str, form: str) -> bool:
+    """Whether a part of this name is drawn only where the prompt states something of it."""
+    return looks_of(noun).get(own_name(noun, form), "").startswith(ASKED)
+
+
 def is_within(noun: str, form: str) -> bool:
     """Whether the noun's shape includes such a part, but not as a separate one."""
     body = is_creature(noun) and form in OF_BODIES
@@ -120,7 +126,7 @@ def shows_liquid(noun: str) -> bool:
 def lacked(noun: str, part: str, form: str) -> str:
     """The noun's part that is meant by a missing ``form``; "" without one of that name. A robot
     without arms keeps its limbs."""
-    looks = looks_of(noun)
+    looks = {name: look for name, look in looks_of(noun).items() if look[0] != ASKED}
     return next((name for name in [form, *_names(part, also=False)] if name in looks), "")
 
 

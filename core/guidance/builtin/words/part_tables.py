@@ -163,6 +163,7 @@ PART_ALSO = {
     "brew": "water, flask",
     "string": "strings, rope, chain",
     "cord": "rope, string",
+    "lights": "lamps, lamp",
     "strap": "band, belt, handle",
     "headband": "band, strap",
     "earcups": "cups",
@@ -211,6 +212,10 @@ CALLED = {
     "pirate": dict.fromkeys(("pirate hat", "tricorn", "tricorn hat"), "hat"),
     "rifle": dict.fromkeys(("panels", "frame", "casing"), "body"),
     "dice": dict.fromkeys("numbers number numerals".split(), "pips"),
+    "toxic barrel": dict.fromkeys("slime sludge ooze waste liquid".split(), "goo"),
+    "playing card": {"hearts": "pips", "heart": "pips"},
+    "treasure map": {"islands": "land", "island": "land", "compass": "rose", "mountains": "hills"},
+    "jupiter": {"spot": "storm"},
     "cauldron": {"potion": "brew", "stew": "brew", "soup": "brew", "slime": "brew"},
     "viking": dict.fromkeys(("viking helmet", "horned helmet"), "helmet"),
     "chef": {"chef hat": "hat"},
@@ -247,6 +252,16 @@ CALLED = {
     "cactus": dict.fromkeys("spikes thorns needles prickles".split(), "spines"),
     "tennis racket": {"net": "strings", "netting": "strings"},
     "microphone": {"grille": "mesh", "grill": "mesh"},
+    **dict.fromkeys(
+        "dog cat fox bear rabbit lion tiger leopard corgi dalmatian raccoon skunk".split(),
+        dict.fromkeys("feet foot socks boots mittens toes".split(), "paws"),
+    ),
+    **dict.fromkeys(
+        "cow bull zebra pegasus".split(),
+        dict.fromkeys("feet legs boots stockings paws fetlocks".split(), "socks"),
+    ),
+    "horse": dict.fromkeys("feet legs boots stockings paws fetlocks".split(), "socks")
+    | {"nostrils": "mouth", "nostril": "mouth"},
     "phone": {"apps": "icons"},
     "scroll": {"writing": "letters", "text": "letters", "words": "letters"},
     "stump": {"growth rings": "rings", "tree rings": "rings"},
@@ -264,7 +279,14 @@ CALLED = {
     "phoenix": dict.fromkeys(("flames", "crest"), "tips"),
     "otter": {"belly": "chest", "tummy": "chest", "paws": "feet"},
     "walrus": {"flippers": "fins", "whiskers": "muzzle"},
-    "pug": {"face": "mask", "muzzle": "mask", "wrinkles": "folds"},
+    "pug": {
+        "feet": "paws",
+        "socks": "paws",
+        "boots": "paws",
+        "face": "mask",
+        "muzzle": "mask",
+        "wrinkles": "folds",
+    },
     "poodle": {"fur": "pompoms", "tufts": "pompoms"},
     "drum kit": dict.fromkeys(
         ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"

@@ -62,6 +62,7 @@ from core.guidance.builtin.words.words import (
 
 # Things that describe a part behind them.
 AS_LOOKS = CALLED_SHADES | {name: AS_MATERIAL[name] for name in ("bone", "crystal")}
+ALSO_ACTIONS = ("playing cards",)  # after a thing's name: "a robot playing cards"
 AHEAD = 6  # words in which a thing may still come
 
 
@@ -126,6 +127,8 @@ class Reading(Stature):
                 entry = Entry("part", phrase, phrase)
             if entry is not None and self._is_stone(entry, at + count):
                 entry = Entry("part", "gem", entry.form)
+            if phrase in ALSO_ACTIONS and self.got.found["noun"]:
+                entry = None
             if entry is not None and self._are_things(entry, phrase):
                 return self._leave_out(phrase, count)
             if entry is not None:

@@ -99,6 +99,10 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "flathead, flat head, slotted": (0, 1),
         "phillips, crosshead, cross head, cross": (2, 3),
     },
+    "club": {
+        "spiked, spike, studded, nail": (0, 1),
+        "caveman, smooth, plain": (2, 3),
+    },
     "paintbrush": {
         "artist, round, watercolor, watercolour": (2, 3),
         "flat, wide, decorator": (0, 1),

@@ -8,6 +8,8 @@ from core.guidance.builtin.markings.marking import Marking, Rows
 from core.guidance.builtin.markings.rows.outlines import aircraft_and_space as own
 
 ZONES = ((-58, -46), (-30, -12), (4, 9), (18, 34), (52, 61))  # a ringed planet's, degrees
+JUPITER_BANDS = ((-62, -54), (-34, -14), (7, 19), (29, 33), (44, 50), (66, 90), (-90, -70))
+JUPITER_ZONES = ((-46, -36), (-10, 4), (21, 27), (52, 58))
 AIRCRAFT_AND_SPACE: Rows = {
     "airplane": {
         "windows": Marking("body", partial(bands.girt, **own.PLANE_WINDOWS)),
@@ -64,5 +66,16 @@ AIRCRAFT_AND_SPACE: Rows = {
     },
     "planet": {"bands": Marking("globe", partial(globes.zones, lean=23, spans=ZONES))},
     "earth": {"ice": Marking("body", globes.poles), "land": Marking("body", globes.lands)},
+    "jupiter": {
+        "whorl": Marking("storm", partial(globes.storm, at=(24, -17), size=(9, 5))),
+        "storm": Marking("body", partial(globes.storm, at=(24, -17), size=(19, 11))),
+        "bands": Marking("body", partial(globes.zones, spans=JUPITER_BANDS, lean=3)),
+        "zones": Marking("body", partial(globes.zones, spans=JUPITER_ZONES, lean=3)),
+    },
+    "mars": {
+        "ice": Marking("body", partial(globes.poles, lean=18)),
+        "craters": Marking("body", globes.craters),
+        "plains": Marking("body", globes.plains),
+    },
     "full moon": {"craters": Marking("body", globes.craters)},
 }

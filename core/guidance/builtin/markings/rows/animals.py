@@ -20,10 +20,13 @@ from core.guidance.builtin.markings.outlines import Plate
 from core.guidance.builtin.markings.rows.creature_parts import (
     GLINTS,
     MUZZLED,
+    PAWS,
+    SOCKS,
     bars,
     face_lines,
     face_spots,
     feathers,
+    joined,
     mottled,
     mouth,
     pupils,
@@ -53,11 +56,15 @@ WHISKERS = [(0.5, 0.2), (0.66, -0.2), (0.42, -0.35)]
 NAILS = [(0.36, -0.92), (0.56, -0.95), (0.76, -0.92)]
 SNOWMAN = faces.Face(fraction=0.535)
 ANIMALS: Rows = {
-    **dict.fromkeys(("dog", "fox", "lion"), MUZZLED),
+    **dict.fromkeys(("dog", "fox", "lion"), PAWS | MUZZLED),
+    **dict.fromkeys(("corgi", "pug", "raccoon"), PAWS),
+    **dict.fromkeys(("bull", "pegasus"), SOCKS),
     "cat": {
-        "whiskers": Marking("muzzle", partial(studs.dots, places=WHISKERS, size=0.075, both=True))
+        **PAWS,
+        "whiskers": Marking("muzzle", partial(studs.dots, places=WHISKERS, size=0.075, both=True)),
     },
     "rabbit": {
+        **PAWS,
         "ears": Marking("body", partial(spots.ovals, at=(0.35, 0.62), size=(0.1, 0.24))),
         "belly": Marking(
             "body", partial(spots.ovals, at=(0.0, -0.42), size=(0.46, 0.3), both=False)
@@ -73,10 +80,11 @@ ANIMALS: Rows = {
         ),
     },
     "horse": {
+        **SOCKS,
         **GLINTS,
-        "nostrils": face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
-        "mouth": face_lines(
-            "body", ((-9.0, -5.8), (-4.6, -5.8), (-3.2, -5.2)), side=True, wide=0.2
+        "mouth": joined(
+            face_lines("body", ((-9.0, -5.8), (-4.6, -5.8), (-3.2, -5.2)), side=True, wide=0.2),
+            face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
         ),
         "blaze": face_spots("body", (-3.0, -3.5, -0.4), sizes=(0.8, 3.0, 2.4)),
     },
@@ -85,6 +93,7 @@ ANIMALS: Rows = {
         "ears": face_spots("body", (0.3, 1.8, 5.6), sizes=(0.9, 1.2, 2.6)),
     },
     "cow": {
+        **SOCKS,
         "patches": Marking(
             "body", partial(spots.blobs, pitch=0.42, sizes=(0.1, 0.24), fraction=0.55)
         ),
@@ -117,6 +126,7 @@ ANIMALS: Rows = {
         "ears": face_spots("body", (0.85, 3.2, 4.2), sizes=(0.8, 1.6, 1.9)),
     },
     "bear": {
+        **PAWS,
         **GLINTS,
         **MUZZLED,
         "ears": face_spots("body", (1.4, 2.4, 2.5), sizes=(1.2, 1.6, 1.2)),
@@ -242,13 +252,14 @@ ANIMALS: Rows = {
         )
     },
     "lobster": {**GLINTS, "bands": bars("tail", way=(0.0, 1.0, 0.0), pitch=0.13, wide=0.016)},
-    "tiger": {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.2))},
+    "tiger": PAWS | {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.2))},
     "leopard": {
+        **PAWS,
         "spots": Marking(
             "body", partial(spots.blobs, pitch=0.15, sizes=(0.03, 0.055), fraction=0.9)
-        )
+        ),
     },
-    "zebra": {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.2))},
+    "zebra": SOCKS | {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.2))},
     "rhino": {
         **GLINTS,
         "nostrils": face_spots("body", (-2.3, -6.9, -3.4), sizes=(0.5, 1.4, 0.5)),
@@ -275,11 +286,12 @@ ANIMALS: Rows = {
         "mouth": face_lines("face", ((0.4, -3.7), (-0.6, -3.3), (-9.0, -3.25)), wide=0.25),
     },
     "dalmatian": {
+        **PAWS,
         "spots": Marking(
             "body", partial(spots.blobs, pitch=0.2, sizes=(0.025, 0.075), fraction=0.85)
-        )
+        ),
     },
-    "skunk": {"stripe": Marking("body", partial(bands.ridge, wide=0.2))},
+    "skunk": PAWS | {"stripe": Marking("body", partial(bands.ridge, wide=0.2))},
     "squirrel": {**GLINTS, "ears": face_spots("body", (0.0, 2.4, 3.7), sizes=(0.8, 1.3, 1.6))},
     "bat": pupils(0.3, 0.7),
     "swan": feathers() | GLINTS,

@@ -1,13 +1,16 @@
-"""Markings that several people, animals and toys fraction: eyes, mouths, feathers, bars, spots."""
+"""Markings that several people, animals and toys share: eyes, mouths, feathers, bars, spots."""
 
+from collections.abc import Sequence
 from functools import partial
 
-from core.guidance.builtin.markings.forms import faces, lines, scales, spots
-from core.guidance.builtin.markings.margins import Pair, Way
+from core.guidance.builtin.markings.forms import bands, faces, lines, scales, spots
+from core.guidance.builtin.markings.margins import Half, Margin, Marks, Pair, Points, Way, any_of
 from core.guidance.builtin.markings.marking import Marking
 
 GLINTS = {"glints": Marking("eyes", faces.eye_glints, paired=True)}
 MUZZLED = {"mouth": Marking("muzzle", faces.muzzle_mouth)}
+PAWS = {"paws": Marking("body", partial(bands.belt, low=-2.0, high=-0.7))}
+SOCKS = {"socks": Marking("body", partial(bands.belt, low=-2.0, high=-0.66))}
 
 
 def eyes(at: Pair, size: Pair, face: faces.Face = faces.HEAD) -> dict[str, Marking]:
@@ -42,6 +45,16 @@ def face_spots(on: str, *middles: Way, sizes: Way) -> Marking:
     """Nostrils, cheeks and similar spots, placed by the eyes."""
     marks = partial(faces.about_eyes, middles=middles, sizes=sizes)
     return Marking(on, marks, by="eyes", paired=True)
+
+
+def joined(one: Marking, *others: Marking) -> Marking:
+    """Several as one part; all are placed as the first is."""
+    each = (one.marks, *(other.marks for other in others))
+    return one._replace(marks=partial(_any_marks, each=each))
+
+
+def _any_marks(points: Points, half: Half, each: Sequence[Marks]) -> Margin:
+    return any_of(*(marks(points, half) for marks in each))
 
 
 def pupils(

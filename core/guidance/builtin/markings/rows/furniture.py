@@ -8,6 +8,7 @@ from core.guidance.builtin.markings.forms import (
     dials,
     frames,
     lines,
+    papers,
     pictures,
     planks,
     seams,
@@ -90,6 +91,11 @@ FURNITURE: Rows = {
     },
     "wardrobe": {
         "panels": Marking("doors", partial(outlines.laid, **own.WARDROBE_PANELS), by="body"),
+    },
+    "school locker": {
+        "vents": Marking("doors", partial(outlines.laid, **own.LOCKER_VENTS), by="body"),
+        "number": Marking("plate", papers.locker_numbers, by="body"),
+        "plate": Marking("doors", partial(outlines.laid, **own.LOCKER_PLATE), by="body"),
     },
     **{
         noun: {

@@ -7,6 +7,7 @@ from core.guidance.builtin.markings.forms import (
     badges,
     bands,
     dials,
+    drums,
     frames,
     globes,
     lines,
@@ -55,6 +56,12 @@ HOUSEHOLD: Rows = {
     "blender": {
         "marks": Marking("jug", partial(outlines.laid, **own.JUG_MARKS)),
         "trim": Marking("base", partial(bands.belts, spans=own.BLENDER_TRIM)),
+    },
+    "sci-fi door": {
+        "lights": Marking("frame", partial(outlines.laid, **own.SCIFI_LIGHTS)),
+        "stripes": Marking("frame", partial(outlines.laid, **own.SCIFI_STRIPES)),
+        "seam": Marking("door", partial(outlines.laid, **own.SCIFI_SEAM)),
+        "lines": Marking("panels", partial(outlines.laid, **own.SCIFI_LINES)),
     },
     "door": {
         "trim": Marking("panels", partial(frames.repeated, axes=(2,), room=0.067, **own.DOOR_TRIM)),
@@ -176,6 +183,12 @@ HOUSEHOLD: Rows = {
         "window": Marking("label", partial(frames.oblong, at=0.1, size=(0.62, 0.24))),
         "stripe": Marking("label", partial(frames.oblong, at=0.6, size=(2.0, 0.07))),
         "label": Marking("body", partial(frames.oblong, at=0.2, size=(0.86, 0.6))),
+    },
+    "compact disc": {
+        "hole": Marking("disc", partial(rings.rings, spans=((-1, 0.1),))),
+        "hub": Marking("disc", partial(rings.rings, spans=((0.1, 0.28),))),
+        "greens": Marking("disc", partial(drums.wedges, at=(62, 242), wide=9, low=0.32)),
+        "rays": Marking("disc", partial(drums.wedges, at=(40, 220), wide=14, low=0.32)),
     },
     "vinyl record": {
         "hole": Marking("label", partial(rings.rings, spans=((-1, 0.045),))),

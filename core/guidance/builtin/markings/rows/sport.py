@@ -11,6 +11,10 @@ EIGHT = (0.25, -1.0, 0.45)  # where a billiard ball's number is
 HOLES = ((-0.1, -0.75, 0.75), (0.14, -0.75, 0.8), (0.03, -0.95, 0.5))  # a bowling ball's
 BOARD_BANDS = ((0.26, 0.42), (0.45, 0.475), (-0.42, -0.26), (-0.475, -0.45))  # a surfboard's
 SPORT: Rows = {
+    "yoga mat": {
+        "flowers": Marking("mat", partial(outlines.laid, **own.MAT_FLOWER)),
+        "border": Marking("mat", partial(outlines.laid, **own.MAT_BORDER)),
+    },
     "soccer ball": {
         "patches": Marking("ball", balls.pentagons),
         "seams": Marking("ball", balls.football_seams),

@@ -133,3 +133,11 @@ PIANO_PANELS = {
 }
 CABINET_DOOR = {"front": (Plate((0, 0), (0.66, 0.76), 0.12, 0.018),), "deep": 0.2}
 DRAWER = {"front": (Plate((0, 0), (0.84, 0.72), 0.15, 0.014),), "deep": 0.0}
+LOCKER_VENTS = {
+    "front": (
+        Cells((0.5, 0.62), (0.24, 0.13), (1, 5), (1, 0.42), 0.9, twice=True),
+        Cells((0.5, -0.2), (0.24, 0.09), (1, 3), (1, 0.42), 0.9, twice=True),
+    ),
+    "deep": 0.8,
+}
+LOCKER_PLATE = {"front": (Plate((0.5, 0.3), (0.14, 0.055), 0.2, twice=True),), "deep": 0.8}

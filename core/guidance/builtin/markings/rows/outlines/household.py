@@ -1,6 +1,6 @@
 """Outlines and spans of the markings of household."""
 
-from core.guidance.builtin.markings.outlines import Cells, Disc, Emblem, Line, Plate
+from core.guidance.builtin.markings.outlines import Cells, Disc, Emblem, Line, Plate, hazard
 
 MUG_BANDS = ((0.86, 1.3), (-0.74, -0.5), (-0.42, -0.37))
 LABEL_BADGE = {"front": (Emblem((0, -0.435), 0.42, "leaf"),), "deep": 0.1}
@@ -179,4 +179,18 @@ ADDRESS = {
 }  # fmt: skip
 PIN_RING = {
     side: (Disc((0, 0), 0.72, 0.02), Emblem((0, 0), 0.44, "star")) for side in ("front", "back")
+}
+SCIFI_LIGHTS = {
+    side: (Plate((0.89, 0), (0.028, 0.62), 1.0, twice=True), Plate((0, 0.84), (0.5, 0.012), 1.0))
+    for side in ("front", "back")
+}
+SCIFI_STRIPES = {side: (*hazard((0, 0.93), (0.6, 0.05), 7),) for side in ("front", "back")} | {
+    "deep": 0.0
+}
+SCIFI_SEAM = {side: (Line(((0, -1.1), (0, 1.1)), 0.014),) for side in ("front", "back")} | {
+    "deep": 0.0
+}
+SCIFI_LINES = {
+    side: (Line(((0, -1.1), (0, 1.1)), 0.014), Plate((0.5, -0.7), (0.3, 0.14), 0.2, 0.012, True))
+    for side in ("front", "back")
 }

@@ -1,6 +1,6 @@
 """Outlines and spans of the markings of sport."""
 
-from core.guidance.builtin.markings.outlines import Disc, Emblem, Line, Poly
+from core.guidance.builtin.markings.outlines import Disc, Emblem, Line, Plate, Poly
 
 _SIGHTS = (
     *(Disc((at, 0.91), 0.028, twice=True) for at in (0.22, 0.46, 0.7)),
@@ -30,3 +30,9 @@ SKATE_STRIPES = {
     ),
     "aside": 0.2,
 }
+MAT_FLOWER = {
+    "top": (Emblem((0, 0), 0.62, "flower"), Disc((0.62, 0), 0.16, twice=True),
+            Disc((0.36, 0), 0.1, twice=True)),
+    "deep": 0.0,
+}  # fmt: skip
+MAT_BORDER = {"top": (Plate((0, 0), (0.95, 0.86), line=0.012),), "deep": 0.0}
