@@ -206,7 +206,7 @@ def test_a_name_that_is_too_long_is_no_model(addon):
     settings.prompt, settings.guidance = "a chair", "folder"
     for name in ("x" * 300, "x" * 300 + ".safetensors"):
         settings.model_folder = name
-        assert "no Stable Diffusion model" in submit.reason_against_generate(bpy.context)
+        assert "is not a Stable Diffusion model" in submit.reason_against_generate(bpy.context)
     with pytest.raises(AddonError, match="There is no LoRA"):
         job_settings._safetensors("x" * 300 + ".safetensors", "LoRA")
 

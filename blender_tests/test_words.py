@@ -56,7 +56,7 @@ def test_what_is_written_or_drawn_on_it_is_named():
 def test_what_goes_with_it_comes_last():
     lines = {
         "a white rabbit on a wooden chair": "rabbit, white, on: wooden chair",
-        "a cat wearing a santa hat": "cat, wears: red beanie (white brim, white pompom)",
+        "a cat wearing a santa hat": "cat, wears: santa hat",
         "a robot holding a sign that says HELLO": 'robot, holds: signpost ("HELLO")',
     }
     for prompt, line in lines.items():

@@ -170,7 +170,7 @@ def test_a_stump_has_rings_about_its_middle():
         ("a barn", True),
         ("a metal rowboat", False),
         ("a rusty barrel", False),
-        ("a metal barrel", False),
+        ("a rusty barn", False),
     ],
 )
 def test_seams_are_of_wood(prompt, there):

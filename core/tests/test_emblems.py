@@ -308,7 +308,7 @@ def test_what_has_no_place_is_said(mug, monkeypatch):
     words = parse("a mug that says HELLO and a red heart")
     of_mesh = PromptedBuiltin(mug.builtin, words, Words())
     (note,) = {text for text in of_mesh.left_out() if "HELLO" in text}
-    assert "not on a mesh of yours" in note
+    assert "not on your mesh" in note
     monkeypatch.setattr(placing, "window_on", lambda *_: None)
     full = PromptedBuiltin(mug.builtin, words, Words(), mug.solid)
     assert [text for text in full.left_out() if "no room" in text and "HELLO" in text]

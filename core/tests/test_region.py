@@ -106,7 +106,7 @@ def test_without_a_border_the_whole_component_is_new():
 @pytest.mark.parametrize("text", ["", "3 x", "-1", "8", "1.5", "\xff"])
 def test_a_wrong_file_of_faces_is_refused(tmp_path: Path, text: str):
     (tmp_path / "faces.txt").write_text(text, "latin-1")
-    with pytest.raises(UserError, match="a number a line"):
+    with pytest.raises(UserError, match="one face number per line"):
         read_faces(tmp_path / "faces.txt", 8)
 
 

@@ -266,9 +266,9 @@ def test_a_mass_of_ones_own_scales_the_inertia(ring: Path, tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("more", "name", "message"),
     [
-        ({"mass": -1.0}, "a.urdf", "takes kilograms"),
-        ({"mass": float("nan")}, "a.urdf", "takes kilograms"),
-        ({"most": 0}, "a.urdf", "takes 1 or more"),
+        ({"mass": -1.0}, "a.urdf", "Use kilograms"),
+        ({"mass": float("nan")}, "a.urdf", "Use kilograms"),
+        ({"most": 0}, "a.urdf", "Use 1 or more"),
         ({}, "a.xml", "does not end in .urdf"),
         ({}, "none/a.urdf", "cannot be written"),
     ],

@@ -55,8 +55,8 @@ SORTS: dict[str, dict[str, tuple[int, ...]]] = {
         "70s, 80s": (2, 3),
     },
     "shield": {
-        "round, viking, circular": (0,),
-        "heater, knight, crusader, heraldic, kite, coat of arms, medieval": (1, 2, 3),
+        "round, viking, circular": (0, 3),
+        "heater, knight, crusader, heraldic, kite, coat of arms, medieval": (1, 2),
     },
     "mirror": {
         "oval, round, cheval": (2, 3),
