@@ -129,6 +129,13 @@ def test_what_an_animal_wears_is_not_its_feet(prompt):
     assert not any(one.apart for one in painted(words.noun, words) if one.look.asked)
 
 
+@pytest.mark.parametrize("prompt", ["a cat without paws", "a horse with no socks"])
+def test_feet_cannot_be_taken_away_and_that_is_reported(prompt):
+    words = parse(prompt)
+    assert not words.absent and len(words.left_out) == 1
+    assert "not a separate part" in words.notes[0]
+
+
 @pytest.mark.parametrize("noun", dict.fromkeys(ASKED))
 def test_feet_are_marked_at_the_lower_end_and_only_if_something_is_said_of_them(noun):
     part = next(name for name, look in looks(noun).items() if look.asked)

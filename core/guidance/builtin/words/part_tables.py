@@ -200,6 +200,8 @@ PART_ALSO = {
     "uniform": "suit, coat, tunic, shirt",
 }
 # Names of a part in some things alone.
+_PAWS = dict.fromkeys("feet foot socks boots mittens toes".split(), "paws")
+_SOCKS = dict.fromkeys("feet legs boots stockings paws fetlocks".split(), "socks")
 CALLED = {
     "bench": dict.fromkeys("ends sides frame supports base".split(), "legs"),
     "castle": {"gate": "door", "gates": "door"},
@@ -253,15 +255,10 @@ CALLED = {
     "tennis racket": {"net": "strings", "netting": "strings"},
     "microphone": {"grille": "mesh", "grill": "mesh"},
     **dict.fromkeys(
-        "dog cat fox bear rabbit lion tiger leopard corgi dalmatian raccoon skunk".split(),
-        dict.fromkeys("feet foot socks boots mittens toes".split(), "paws"),
+        "dog cat fox bear rabbit lion tiger leopard corgi dalmatian raccoon skunk".split(), _PAWS
     ),
-    **dict.fromkeys(
-        "cow bull zebra pegasus".split(),
-        dict.fromkeys("feet legs boots stockings paws fetlocks".split(), "socks"),
-    ),
-    "horse": dict.fromkeys("feet legs boots stockings paws fetlocks".split(), "socks")
-    | {"nostrils": "mouth", "nostril": "mouth"},
+    **dict.fromkeys("cow bull zebra pegasus".split(), _SOCKS),
+    "horse": _SOCKS | {"nostrils": "mouth", "nostril": "mouth"},
     "phone": {"apps": "icons"},
     "scroll": {"writing": "letters", "text": "letters", "words": "letters"},
     "stump": {"growth rings": "rings", "tree rings": "rings"},
@@ -279,14 +276,7 @@ CALLED = {
     "phoenix": dict.fromkeys(("flames", "crest"), "tips"),
     "otter": {"belly": "chest", "tummy": "chest", "paws": "feet"},
     "walrus": {"flippers": "fins", "whiskers": "muzzle"},
-    "pug": {
-        "feet": "paws",
-        "socks": "paws",
-        "boots": "paws",
-        "face": "mask",
-        "muzzle": "mask",
-        "wrinkles": "folds",
-    },
+    "pug": _PAWS | {"face": "mask", "muzzle": "mask", "wrinkles": "folds"},
     "poodle": {"fur": "pompoms", "tufts": "pompoms"},
     "drum kit": dict.fromkeys(
         ("drum", "drums", "bass drum", "kick drum", "snare drum", "snare", "toms"), "shells"

@@ -7,7 +7,6 @@ import torch
 from torch import Tensor
 
 from core.guidance.builtin.markings.margins import Half, Margin, Points, all_of, any_of
-from core.guidance.builtin.markings.outlines import Pair
 
 DRIPS = ((-2.7, 0.5, 0.2), (-1.9, 0.24, 0.16), (-1.1, 0.66, 0.2), (-0.3, 0.3, 0.17),
          (0.4, 0.56, 0.22), (1.2, 0.2, 0.15), (1.8, 0.72, 0.19), (2.6, 0.36, 0.18))  # fmt: skip
@@ -20,7 +19,7 @@ def _around(points: Points) -> tuple[Tensor, Tensor]:
 
 
 def rims(points: Points, half: Half, wide: float = 0.05, within: float = 0.9) -> Margin:
-    """About both ends, on the lids as far in as ``within``; in halves."""
+    """The rims of both ends, on the lids as far in as ``within``; in halves."""
     _, away = _around(points)
     up = points[:, 2].abs()
     lid = any_of(away - within * half[0], 0.985 * half[2] - up)
@@ -38,7 +37,7 @@ def slanted_belt(points: Points, half: Half, at: float, wide: float, count: int)
 
 
 def drips(points: Points, half: Half, lid: float = 0.86, low: float = 0.9) -> Margin:
-    """What has run over: a pool on the lid and drops down the wall, the longest to ``DRIPS``."""
+    """Liquid that has run over: a pool on the lid and ``DRIPS`` down the wall."""
     turn, away = _around(points)
     up = points[:, 2] - low * half[2]
     margins = [up]
@@ -51,7 +50,7 @@ def drips(points: Points, half: Half, lid: float = 0.86, low: float = 0.9) -> Ma
 
 
 def ribs(points: Points, half: Half, count: int, low: float = -2.0, high: float = 0.6) -> Margin:
-    """Upright ones about a wall, between two heights in halves."""
+    """Upright ribs around a wall, between two heights in halves."""
     turn, away = _around(points)
     pitch = math.tau / count
     phase = turn / pitch
@@ -71,31 +70,12 @@ def knurls(points: Points, half: Half, count: int, wide: float = 0.012) -> Margi
     return all_of(any_of(*margins), away - 0.92 * half[0], 0.7 * half[2] - points[:, 2].abs())
 
 
-def top_rings(points: Points, half: Half, spans: Sequence[Pair]) -> Margin:
-    """Between radii about the middle of what is seen from above, in halves."""
-    _, away = _around(points)
-    pairs = ((low * half[0], high * half[0]) for low, high in spans)
-    rings = any_of(*(all_of(high - away, away - low) for low, high in pairs))
-    return all_of(rings, points[:, 2])
-
-
 def top_squares(points: Points, half: Half, pitch: float, size: float, within: float) -> Margin:
     """Squares in a lattice, as far out as ``within``, seen from above; in halves."""
     _, away = _around(points)
     at = points[:, :2] / (pitch * half[0])
     inside = (size / 2 - (at - at.round()).abs().amax(1)) * pitch * half[0]
     return all_of(inside, within * half[0] - away, points[:, 2])
-
-
-def top_dots(points: Points, half: Half, radius: float, size: float, count: int) -> Margin:
-    """Round ones in a circle, seen from above; in halves."""
-    x, y, z = points.unbind(1)
-    step = math.tau / count
-    turn = torch.atan2(y, x) / step
-    near = turn.round() * step
-    r = radius * half[0]
-    away = torch.hypot(x - r * near.cos(), y - r * near.sin())
-    return all_of(size * half[0] - away, z)
 
 
 def wedges(points: Points, half: Half, at: Sequence[float], wide: float, low: float) -> Margin:

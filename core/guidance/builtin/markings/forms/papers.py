@@ -37,8 +37,3 @@ def locker_numbers(points: Points, half: Half, text: str = "12") -> Margin:
     """On both doors, by the body's box."""
     numbers = tuple(Emblem((side, 0.3), 0.075, text=text) for side in (-0.5, 0.5))
     return laid(points, half, front=numbers, deep=0.8)
-
-
-def behind(points: Points, half: Half, share: float) -> Margin:
-    """The rear of it, from ``share`` halves behind its middle on."""
-    return points[:, 1] - share * half[1]

@@ -63,10 +63,12 @@ def picket_nails(
     return all_of(any_of(*(size - one for one in away)), in_front(points))
 
 
-def beads(points: Points, half: Half, radius: float, size: float, count: int) -> Margin:
-    """A ring of dots on both faces of a round part that faces the front; radius and size in halves
-    of the width."""
-    x, z = points[:, 0], points[:, 2]
+def beads(
+    points: Points, half: Half, radius: float, size: float, count: int, axis: int = 1
+) -> Margin:
+    """A ring of dots on both faces of a round part across an axis; radius and size in halves of
+    the width."""
+    x, z = points[:, [side for side in range(3) if side != axis]].unbind(1)
     turn = torch.atan2(x, z) * (count / math.tau)
     angle = (turn - turn.round()) * (math.tau / count)
     away = torch.hypot(x, z)

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.guidance.builtin.markings import outlines
-from core.guidance.builtin.markings.forms import bands, drums, planks
+from core.guidance.builtin.markings.forms import bands, drums, planks, rings, studs
 from core.guidance.builtin.markings.marking import Marking, Rows
 from core.guidance.builtin.markings.rows.outlines import crates_and_drums as own
 
@@ -37,14 +37,14 @@ CRATES_AND_DRUMS: Rows = {
     },
     "manhole cover": {
         "holes": Marking("body", partial(outlines.laid, **own.MANHOLE_HOLES)),
-        "rings": Marking("body", partial(drums.top_rings, spans=((0.8, 0.92),))),
+        "rings": Marking("body", partial(rings.rings, spans=((0.8, 0.92),), axis=2)),
         "studs": Marking("body", partial(drums.top_squares, pitch=0.22, size=0.6, within=0.74)),
     },
     "landmine": {
         "light": Marking("plate", partial(outlines.laid, **own.MINE_LIGHT)),
-        "stripes": Marking("plate", partial(drums.top_rings, spans=((0.34, 0.4),))),
+        "stripes": Marking("plate", partial(rings.rings, spans=((0.34, 0.4),), axis=2)),
         "plate": Marking("body", partial(outlines.laid, **own.MINE_PLATE)),
-        "bolts": Marking("body", partial(drums.top_dots, radius=0.74, size=0.06, count=8)),
+        "bolts": Marking("body", partial(studs.beads, radius=0.74, size=0.06, count=8, axis=2)),
         "ribs": Marking("body", partial(drums.ribs, count=24)),
     },
     "hockey puck": {

@@ -3,7 +3,7 @@
 from functools import partial
 
 from core.guidance.builtin.markings import outlines
-from core.guidance.builtin.markings.forms import frames, papers
+from core.guidance.builtin.markings.forms import bands, frames, papers
 from core.guidance.builtin.markings.margins import Marks
 from core.guidance.builtin.markings.marking import Marking, Rows
 from core.guidance.builtin.markings.outlines import Outline
@@ -107,7 +107,7 @@ PRINTED_THINGS: Rows = {
     "mahjong tile": {
         "reds": Marking("body", partial(outlines.laid, **own.MAHJONG_REDS)),
         "greens": Marking("body", partial(outlines.laid, **own.MAHJONG_GREENS)),
-        "back": Marking("body", partial(papers.behind, share=0.35)),
+        "back": Marking("body", partial(bands.belt, low=0.35, high=9.0, axis=1)),
     },
     "stone tablet": {
         "runes": Marking("slab", partial(outlines.laid, **own.TABLET_RUNES)),
