@@ -216,10 +216,8 @@ class Reading(Stature):
     def _is_of_part(self, at: int) -> bool:
         """Whether the word only describes the following part of the thing."""
         end = self._tokens.qualities_end(at + 1, LOOKS)
-        looks = self._tokens.qualities_begin(at, LOOKS) < at
-        begins = self._tokens.words[at - 1] in (*GOES_WITH, *ARTICLES)
         part = "".join(self._tokens.words[end : end + 1])
-        return (looks or begins) and owns(self.got.thing, part)
+        return self._tokens.qualities_begin(at, LOOKS) < at and owns(self.got.thing, part)
 
     def _is_trade(self, token: str, at: int) -> bool:
         """Whether an unknown word only names a figure's trade: "a crocodile podiatrist"."""
