@@ -104,8 +104,7 @@ def lathe(
     profile: Float[np.ndarray, "k 2"], edge: float, segments: int
 ) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
     """A profile of radius and height, counter-clockwise, turned about the z axis."""
-    outline = manifold3d.CrossSection([[tuple(map(float, corner)) for corner in profile]])
-    return _refined(outline.revolve(segments), edge)
+    return _refined(_outline([profile]).revolve(segments), edge)
 
 
 def hull(
@@ -141,10 +140,28 @@ def rolled(
     return _refined(_added(side.refine_to_length(edge).warp_batch(laid) for side in sides), np.inf)
 
 
-def _prism(low: float, high: float, loops: Sequence[np.ndarray]) -> manifold3d.Manifold:
+Loops = Sequence[Float[np.ndarray, "k 2"]]
+
+
+def area_of(loops: Loops) -> tuple[float, float]:
+    """The area within an outline, and the length of all its loops."""
+    sides = [np.linalg.norm(loop - np.roll(loop, 1, 0), axis=1).sum() for loop in loops]
+    return float(_outline(loops).area()), float(np.sum(sides))
+
+
+def inset(loops: Loops, by: float) -> list[Float[np.ndarray, "k 2"]]:
+    """An outline narrower by so much on each side, its corners as they are."""
+    made = _outline(loops).offset(-by, manifold3d.JoinType.Miter)
+    return [np.array(loop) for loop in made.to_polygons()]
+
+
+def _outline(loops: Loops) -> manifold3d.CrossSection:
     corners = [[(float(x), float(y)) for x, y in loop] for loop in loops]
-    outline = manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)
-    return outline.extrude(high - low).translate((0.0, 0.0, low))
+    return manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)
+
+
+def _prism(low: float, high: float, loops: Sequence[np.ndarray]) -> manifold3d.Manifold:
+    return _outline(loops).extrude(high - low).translate((0.0, 0.0, low))
 
 
 def _added(solids: Iterable[manifold3d.Manifold]) -> manifold3d.Manifold:

@@ -10,7 +10,10 @@ import torch
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.parts.assembly import KnownParts, assembled
 from core.geometry.parts.forms import Forms
+from core.geometry.parts.primitives import Primitive, packed, packed_along
+from core.geometry.parts.slender import thinned
 from core.geometry.tet_grid import EXTENT
+from core.geometry.union import is_solid
 from core.guidance.builtin.bent import BentSolid, in_box
 from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.nouns import NOUNS
@@ -110,3 +113,47 @@ def test_by_a_guide_that_is_wide_it_is_not_cut_off(sword):
     parts = PromptedBuiltin(one.builtin, one.words, one.negative, bent).parts()
     made = assembled(parts, False, 0.05, lambda _: None)
     assert made[0][:, 0].amax() > 0.8 > EXTENT / 2.4
+
+
+UPON = (0.3, -0.2, 0.1), (0.2, 0.5, -0.3)  # somewhere, turned somehow
+STRIP = np.array([(0.5, 0.5), (-0.5, 0.5), (-0.5, -0.5), (0.5, -0.5)])
+FRAME = [STRIP, 0.85 * STRIP[::-1]]  # a square frame's outline
+# Form, lengths, and its size along its own axes at half the thickness.
+THIN = [
+    ("capsule", (0.5, 0.1, 0.06), (0.1, 0.1, 1.16)),
+    ("box", (0.05, 0.06, 0.7, 0.0), (0.05, 0.06, 1.4)),
+    ("box", (0.6, 0.05, 0.7, 0.02), (1.2, 0.05, 1.4)),
+    ("ellipsoid", (0.5, 0.3, 0.05), (1.0, 0.6, 0.05)),
+    ("frustum", (0.6, 0.1, 0.08, 0.02), (0.1, 0.1, 1.2)),
+    ("frustum", (0.05, 0.5, 0.5, 0.0), (1.0, 1.0, 0.05)),
+    ("ring", (0.5, 0.1), (1.1, 1.1, 0.1)),
+    ("turned", (0, -0.5, 0.1, -0.5, 0.1, 0.5, 0, 0.5), (0.1, 0.1, 1.0)),
+    ("turned", (0.4, -0.05, 0.5, -0.05, 0.5, 0.05, 0.4, 0.05), (0.95, 0.95, 0.05)),
+    ("layers", packed([(-0.1, 0.1, [STRIP])]), (1.0, 1.0, 0.1)),
+    ("layers", packed([(-0.5, 0.5, [STRIP * (0.1, 1.0)])]), (0.054, 0.954, 1.0)),
+    ("layers", packed([(-0.1, 0.1, FRAME)]), (0.9625, 0.9625, 0.2)),
+    ("crossed", packed_along([[(-0.1, 0.1, [STRIP])], [], [(-0.1, 0.1, [STRIP])]]), (1, 1, 1)),
+    ("wall", (0.5, *packed([(0.45, 0.55, [STRIP * (4, 1)])])), (1.05, 1.05, 1.0)),
+    ("blade", (0.2, 0.05, 0.6, 0.3, 1.0), (0.4, 0.05, 0.9)),
+    ("blade", (0.08, 0.05, 0.6, 0.3, 1.0), (0.08, 0.05, 0.9)),
+]
+
+
+def volume(verts, faces) -> float:
+    return float(torch.linalg.det(verts[faces].double()).sum() / 6)
+
+
+@pytest.mark.parametrize(("form", "lengths", "size"), THIN)
+def test_a_primitive_is_made_thinner_and_as_long_as_it_is(form, lengths, size):
+    one = Primitive(form, *map(np.array, UPON), np.array(lengths, float))
+    made = thinned(one, 0.5)
+    assert thinned(one, 1.0) is one
+    verts, faces = made.mesh(np.inf)
+    assert is_solid(verts, faces)
+    local = made.local(verts.double().numpy())
+    assert np.allclose(np.ptp(local, axis=0), size, atol=0.004), np.ptp(local, axis=0)
+    was = one.local(one.mesh(np.inf)[0].double().numpy())
+    assert volume(verts, faces) < 0.63 * volume(*one.mesh(np.inf))
+    ends = [(x.min(0) + x.max(0)) / 2 for x in (local, was)]
+    there = made.center + made.frame @ ends[0], one.center + one.frame @ ends[1]
+    assert np.allclose(*there, atol=0.004)  # its middle stays

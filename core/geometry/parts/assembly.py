@@ -40,6 +40,7 @@ from core.geometry.parts.layered import ends_fraction, layered, wall
 from core.geometry.parts.matching import is_drawn, is_same, matched
 from core.geometry.parts.mirrored import Mirror, across, mirrored_mesh, mirrored_pairs
 from core.geometry.parts.primitives import FRAMES, Primitive
+from core.geometry.parts.slender import thinned
 from core.geometry.revolved import ROUND, revolved
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tet_grid import EXTENT
@@ -92,8 +93,13 @@ class KnownParts:
         ]
         even = flush([component.primitive for component in known])
         return [
-            component._replace(primitive=one) for component, one in zip(known, even, strict=True)
+            component._replace(primitive=one and self._thinned(one, component.place.part))
+            for component, one in zip(known, even, strict=True)
         ]
+
+    def _thinned(self, one: Primitive, part: int) -> Primitive:
+        """As thick as the real part is."""
+        return thinned(one, self.forms.thickness(part))
 
     def _as_made(self, component: Component, one: Primitive | None) -> Component:
         """The component with its primitive, ``one`` or another; without one, made symmetric and

@@ -19,6 +19,8 @@ class Forms(NamedTuple):
     cornered: Collection[int] = ()  # parts with so many corners that they look round
     # Each part's smallest component's area, as a fraction of its largest one's; 0: not known.
     least: Sequence[float] = ()
+    # How thick the real part is, by that of what is drawn; (): all as they are drawn.
+    slender: Sequence[float] = ()
 
     def may_be_flat(self, part: int) -> bool:
         """Whether components of the part may have flat faces. The table knows nothing of what is
@@ -30,6 +32,10 @@ class Forms(NamedTuple):
         """Whether a component is far smaller than any that the part has; ``fraction``: its area, as
         a fraction of the largest one's."""
         return part < len(self.least) and fraction < STRAY * self.least[part]
+
+    def thickness(self, part: int) -> float:
+        """How many times as thick as it is drawn the part is."""
+        return self.slender[part] if part < len(self.slender) else 1.0
 
     def faces(self, part: int) -> Faces:
         """The prior knowledge of the faces of the part's components."""

@@ -27,6 +27,7 @@ from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.palette import looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
 from core.guidance.builtin.patterns import ALONG, LINES, MARGINS, Laid, axis_of
+from core.guidance.builtin.slender import slender_parts
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
@@ -64,7 +65,8 @@ class PaintedSolid:
         wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
         corners = CORNERED.get(solid_of(noun), ())
         cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
-        return KnownParts(self.solid.distances, Forms(flat, kept, cornered, least), wider)
+        forms = Forms(flat, kept, cornered, least, slender_parts(noun, list(looks(noun))))
+        return KnownParts(self.solid.distances, forms, wider)
 
     @cached_property
     def emblems(self) -> list[Drawn]:
