@@ -34,7 +34,7 @@ Thinned = tuple[Float[np.ndarray, " 3"], Lengths]  # how far the middle moves, t
 MIDDLE = np.zeros(3)
 
 
-def _as_it_is(lengths: Lengths, by: float) -> Thinned:
+def _as_it_is(lengths: Lengths, _by: float) -> Thinned:
     return MIDDLE, lengths
 
 
