@@ -39,6 +39,7 @@ from core.geometry.parts.forms import Forms
 from core.geometry.parts.layered import ends_fraction, layered, wall
 from core.geometry.parts.matching import is_drawn, is_same, matched
 from core.geometry.parts.mirrored import Mirror, across, mirrored_mesh, mirrored_pairs
+from core.geometry.parts.pipe_fitting import piped
 from core.geometry.parts.primitives import FRAMES, Primitive
 from core.geometry.parts.slender import thinned
 from core.geometry.revolved import ROUND, revolved
@@ -53,7 +54,7 @@ STRAIGHT = 0.9  # times the bending of what is smooth, at most: planes that gain
 NEAR = 0.1  # training units
 # Mean errors below which a component is surely what it seems; the fraction of that for a blade.
 CLEAR, BLADED = 0.06, 0.7
-ENDLESS = "wall", "blade"  # without ends across an axis
+ENDLESS = "wall", "blade", "pipes"  # without ends across an axis
 STRUT = 0.03  # radius, training units
 
 
@@ -140,8 +141,9 @@ class KnownParts:
             each.append(blade(component))
         flat = [one for one in each if one]
         found = self._best(component, flat)
-        if found is None and (one := crossed(component)):
-            found = self._best(component, [one])
+        for other in (crossed, piped):
+            if found is None and (one := other(component)):
+                found = self._best(component, [one])
         return found
 
     def _best(self, component: Component, flat: list[Primitive]) -> Primitive | None:

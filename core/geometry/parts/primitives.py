@@ -16,6 +16,7 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
+from core.geometry.parts.pipes import pipes, surface_of, unpacked_pipes
 from core.geometry.union import ball, hull, lathe, prisms, rolled, rounded_box, union
 
 Lengths = Float[np.ndarray, " k"]
@@ -215,6 +216,7 @@ FORMS = {
     "layers": Form(layers, **OUTLINED),
     "crossed": Form(crossed, **OUTLINED),
     "wall": Form(wall, **OUTLINED),
+    "pipes": Form(pipes, fits=(0.25, 0.85), drawn=((0.6, 0.84), (1.2, 0.96))),
     "blade": Form(blade, fits=(0.25, 0.85), drawn=((0.6, 0.75), (1.5, 0.95))),
 }
 
@@ -289,6 +291,10 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
         each = ((frame, *prisms(unpacked(own), edge)) for frame, own in along_axes(lengths))
         turned = [(verts @ torch.from_numpy(frame.T).to(verts), f) for frame, verts, f in each]
         return union(turned, 0.0)
+    if form == "pipes":
+        found = unpacked_pipes(lengths)
+        each = [surface_of(one, edge, _segments(one.nodes[:, 3].max())) for one in found]
+        return union(each, 0.0)
     if form == "wall":
         chord = 2 * np.sqrt(2 * CHORD * lengths[0])
         return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))

@@ -7,6 +7,7 @@ and a bicycle's frame a pipe. A rod gets thinner and keeps its length; a plate k
 import numpy as np
 from jaxtyping import Float
 
+from core.geometry.parts.pipes import packed_pipes, unpacked_pipes
 from core.geometry.parts.primitives import (
     FRAMES,
     Layer,
@@ -94,6 +95,12 @@ def _blade(lengths: Lengths, by: float) -> Thinned:
     return MIDDLE, np.append(lengths[:2] * factors(lengths[:2], by), lengths[2:])
 
 
+def _pipes(lengths: Lengths, by: float) -> Thinned:
+    each = unpacked_pipes(lengths)
+    thin = [pipe._replace(nodes=pipe.nodes * (1, 1, 1, by)) for pipe in each]
+    return MIDDLE, packed_pipes(thin)
+
+
 THINNED = {
     "box": _box,
     "ellipsoid": _box,
@@ -105,6 +112,7 @@ THINNED = {
     "crossed": _crossed,
     "wall": _wall,
     "blade": _blade,
+    "pipes": _pipes,
 }
 
 
