@@ -193,7 +193,8 @@ def turned_fraction(distances: Distances, component: Component, axis: int) -> fl
     """The fraction of a component's surface that stays on it when it is turned about the line along
     ``axis`` through its middle."""
     # By no symmetry of a square.
-    return on_itself(distances, component, axis, [k / (TURNS + 0.5) for k in range(1, TURNS + 1)])
+    turns = [k / (TURNS + 0.5) for k in range(1, TURNS + 1)]
+    return on_itself(distances, component, component.middle, axis, turns)
 
 
 def repeated(distances: Distances, component: Component) -> Component:
@@ -208,7 +209,7 @@ def repeats(distances: Distances, component: Component) -> Distances | None:
     for times in TIMES:
         turns = [k / times for k in range(times)]
         for axis in (2, 0, 1):
-            if on_itself(distances, component, axis, turns[1:]) >= REPEATED:
+            if on_itself(distances, component, middle, axis, turns[1:]) >= REPEATED:
                 return lambda points: torch.stack(
                     [distances(x + middle) for x in ring_of(points - middle, axis, turns)]
                 ).mean(0)
@@ -216,11 +217,16 @@ def repeats(distances: Distances, component: Component) -> Distances | None:
 
 
 def on_itself(
-    distances: Distances, component: Component, axis: int, turns: Sequence[float]
+    distances: Distances,
+    component: Component,
+    middle: Float[Tensor, " 3"],
+    axis: int,
+    turns: Sequence[float],
 ) -> float:
-    """The fraction of a component's surface that parts of a whole turn leave on it."""
-    some = component.verts[:: -(-len(component.verts) // TURNED)] - component.middle
-    places = ring_of(some, axis, turns) + component.middle
+    """The fraction of a component's surface that parts of a whole turn about its middle leave on
+    it."""
+    some = component.verts[:: -(-len(component.verts) // TURNED)] - middle
+    places = ring_of(some, axis, turns) + middle
     off = distances(places.view(-1, 3))[:, component.place.part].abs()
     return float((off < TURNED_OFF * component.error).float().mean())
 

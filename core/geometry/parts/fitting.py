@@ -167,12 +167,13 @@ def _fitted(
             lengths[-1] = min(lengths[-1], lengths[:-1].min())
         return Primitive(start.form, x[:3], turn, lengths)
 
+    upright = start.frame
     x = [start.center, *([start.turn] if turns else []), np.log(start.lengths[:count])]
     first = np.concatenate(x)
 
     def residuals(x: np.ndarray) -> np.ndarray:
         one = of(x)
-        local = one.local(points)
+        local = (points - one.center) @ (one.frame if turns else upright)
         # No point shows where a long side ends: it ends where the points do.
         low, high = _ends(one)
         ends = np.array([local[:, 2].min() + low, local[:, 2].max() - high])

@@ -14,9 +14,10 @@ from scipy.optimize import least_squares
 
 from core.geometry.init_shape import sample_surface
 from core.geometry.parts.components import Component
-from core.geometry.parts.pipes import Pipe, off_segment, packed_pipes, weights_of
+from core.geometry.parts.pipes import Pipe, apart, packed_pipes, weights_of
 from core.geometry.parts.primitives import Primitive
 from core.geometry.parts.skeleton import Skeleton, skeleton_of
+from core.kernels import distances
 
 WIDTHS = (1.5, 2.0, 1.2)  # of the skeleton's bands, radii: the first that has all loops
 POINTS = 1500  # on the surface
@@ -170,14 +171,14 @@ def fitted(graph: Graph, points: Float[np.ndarray, "n 3"], error: float) -> Grap
 
 
 def _curves(graph: Graph) -> Float[np.ndarray, "m k"]:
-    """The points of all curves as weights of the nodes, and a row of zeros after each curve."""
-    rows = []
+    """The points of all curves as weights of the nodes; a row that is not finite between two."""
+    each = []
     for pipe, one in zip(graph.pipes, graph.made(), strict=True):
         own = weights_of(one.nodes[:, :3], one.closed)
-        wide = np.zeros((len(own) + 1, len(graph.nodes)))
-        wide[:-1, pipe[: own.shape[1]]] = own
-        rows.append(wide)
-    return np.concatenate(rows)
+        wide = np.zeros((len(own), len(graph.nodes)))
+        wide[:, pipe[: own.shape[1]]] = own
+        each.append(wide)
+    return apart(each)
 
 
 class Nearest(NamedTuple):
@@ -192,14 +193,9 @@ class Nearest(NamedTuple):
 def _nearest(
     curves: Float[np.ndarray, "m k"], nodes: Float[np.ndarray, "k 4"], points: np.ndarray
 ) -> Nearest:
-    fine, real = curves @ nodes, curves.any(1)
-    count = len(points)
-    found = Nearest(
-        np.full(count, np.inf), np.zeros(count, int), np.zeros(count), np.zeros((count, 3))
-    )
-    for k in np.flatnonzero(real[:-1] & real[1:]):
-        off, along, away = off_segment(points, fine[k], fine[k + 1])
-        here = off < found.off
-        found.off[here], found.row[here] = off[here], k
-        found.along[here], found.away[here] = along[here], away[here]
-    return found
+    fine = curves @ nodes
+    off, row, along = distances.pipes(points, fine)
+    t = along[:, None]
+    away = points - (1 - t) * fine[row, :3] - t * fine[row + 1, :3]
+    away = away / np.linalg.norm(away, axis=1, keepdims=True).clip(1e-9)
+    return Nearest(off, row, along, away)

@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.sweep import swept
+from core.kernels import distances
 
 BEND = 0.12  # radians, at most, between two segments of a curve
 MOST_SPANS = 8  # segments between two nodes, at most
@@ -52,25 +53,14 @@ def unpacked_pipes(numbers: Float[np.ndarray, " k"]) -> list[Pipe]:
 def pipes(p: Float[np.ndarray, "n 3"], numbers: Float[np.ndarray, " k"]) -> Float[np.ndarray, " n"]:
     """The signed distance from the union of pipes, as ``packed_pipes`` has them; to first order
     where they taper."""
-    nearest = np.full(len(p), np.inf)
-    for pipe in unpacked_pipes(numbers):
-        curve = pipe.curve
-        for start, end in itertools.pairwise(curve):
-            nearest = np.minimum(nearest, off_segment(p, start, end)[0])
-    return nearest
+    curves = apart([pipe.curve for pipe in unpacked_pipes(numbers)])
+    return distances.pipes(np.ascontiguousarray(p, dtype=float), curves)[0]
 
 
-def off_segment(
-    p: Float[np.ndarray, "n 3"], start: Float[np.ndarray, " 4"], end: Float[np.ndarray, " 4"]
-) -> tuple[Float[np.ndarray, " n"], Float[np.ndarray, " n"], Float[np.ndarray, "n 3"]]:
-    """The distance of points from a round segment, how far along it the nearest place of its axis
-    is (0 to 1), and the direction from there."""
-    way, from_start = end[:3] - start[:3], p - start[:3]
-    along = (from_start @ way / max(way @ way, 1e-12)).clip(0, 1)
-    away = from_start - along[:, None] * way
-    length = np.sqrt((away**2).sum(1))
-    radius = start[3] + along * (end[3] - start[3])
-    return length - radius, along, away / length[:, None].clip(1e-9)
+def apart(curves: Sequence[Float[np.ndarray, "_ k"]]) -> Float[np.ndarray, "m k"]:
+    """Curves one after another, and between two of them a row that is not finite."""
+    gap = np.full((1, curves[0].shape[1]), np.nan)
+    return np.concatenate([rows for curve in curves for rows in (curve, gap)][:-1])
 
 
 def weights_of(places: Float[np.ndarray, "k 3"], closed: bool) -> Float[np.ndarray, "m k"]:

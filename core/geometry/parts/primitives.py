@@ -2,11 +2,8 @@
 
 Where one fits (:mod:`core.geometry.parts.fitting`, :mod:`core.geometry.parts.layered`), it takes
 the place of what was drawn, and has its edges, its roundness and its symmetry.
-
-Distances: Inigo Quilez, "Distance functions" and "2D distance functions" (iquilezles.org).
 """
 
-import itertools
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -18,6 +15,7 @@ from torch import Tensor
 
 from core.geometry.parts.pipes import pipes, surface_of, unpacked_pipes
 from core.geometry.union import ball, hull, lathe, prisms, rolled, rounded_box, union
+from core.kernels import distances
 
 Lengths = Float[np.ndarray, " k"]
 Points = Float[np.ndarray, "n 3"]
@@ -37,43 +35,23 @@ FRAMES = tuple(np.roll(np.eye(3), k, 1) for k in range(3))
 
 def ellipsoid(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
     """To first order."""
-    k0, k1 = np.linalg.norm(p / radii, axis=1), np.linalg.norm(p / radii**2, axis=1)
-    return k0 * (k0 - 1) / k1.clip(1e-9)
+    return distances.ellipsoid(_packed(p), _packed(radii))
 
 
 def box(p: Points, half: Lengths) -> Float[np.ndarray, " n"]:
     """Half sizes, and the radius of the edges."""
-    q = np.abs(p) - (half[:3] - half[3])
-    return np.linalg.norm(q.clip(min=0), axis=1) + q.max(1).clip(max=0) - half[3]
+    return distances.box(_packed(p), _packed(half))
 
 
 def frustum(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     """A cone without its tip, or a cylinder: half its height, the radii below and above, and the
     radius of the rims."""
-    rim = lengths[3]
-    half, below, above = lengths[:3] - rim
-    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2]
-    corners = [(0.0, -half), (below, -half), (above, half), (0.0, half)]
-    nearest = np.full(len(p), np.inf)
-    for (ax, ay), (bx, by) in itertools.pairwise(corners):
-        ex, ey, wx, wy = bx - ax, by - ay, across - ax, up - ay
-        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
-        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
-    side = (across - below) * 2 * half - (up + half) * (above - below)
-    inside = (np.abs(up) < half) & (side < 0)
-    return np.sqrt(nearest) * np.where(inside, -1, 1) - rim
+    return distances.frustum(_packed(p), _packed(lengths))
 
 
 def capsule(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     """The hull of two balls: half the distance of their middles, the radii below and above."""
-    half, below, above = lengths
-    across, up = np.hypot(p[:, 0], p[:, 1]), p[:, 2] + half
-    sine = np.clip((below - above) / (2 * half), -0.99, 0.99)
-    cosine = np.sqrt(1 - sine * sine)
-    along = up * cosine - across * sine
-    side = across * cosine + up * sine - below
-    ends = np.hypot(across, up) - below, np.hypot(across, up - 2 * half) - above
-    return np.where(along < 0, ends[0], np.where(along > 2 * half * cosine, ends[1], side))
+    return distances.capsule(_packed(p), _packed(lengths))
 
 
 def ring(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
@@ -138,15 +116,12 @@ def sides_of(loops: Sequence[Loop]) -> tuple[Loop, Loop]:
 
 def _within(p: Float[np.ndarray, "n 2"], start: Loop, end: Loop) -> Float[np.ndarray, " n"]:
     """Signed distance from an outline of such sides, negative inside."""
-    nearest, inside = np.full(len(p), np.inf), np.zeros(len(p), bool)
-    x, y = p.T
-    for (ax, ay), (bx, by) in zip(start, end, strict=True):
-        ex, ey, wx, wy = bx - ax, by - ay, x - ax, y - ay
-        along = ((wx * ex + wy * ey) / max(ex * ex + ey * ey, 1e-12)).clip(0, 1)
-        nearest = np.minimum(nearest, (wx - along * ex) ** 2 + (wy - along * ey) ** 2)
-        if ay != by:  # the even-odd rule, for a ray towards x
-            inside ^= ((y >= ay) != (y >= by)) & ((ex * wy - ey * wx > 0) == (ey > 0))
-    return np.sqrt(nearest) * np.where(inside, -1, 1)
+    return distances.outline(_packed(p), _packed(start), _packed(end))
+
+
+def _packed(x: np.ndarray) -> np.ndarray:
+    """As the compiled loops take it."""
+    return np.ascontiguousarray(x, dtype=float)
 
 
 def packed(found: Sequence[Layer]) -> Lengths:
