@@ -46,6 +46,8 @@ def test_a_part_with_a_color_is_named_once():
     assert words.summary(report) == "mug, blue, red handle"
     report["part_sheens"] = {"handle": "glowing"}
     assert words.summary(report) == "mug, blue, glowing red handle"
+    report = words.ask(CORE, ("a blue mug with a thick red handle", False))
+    assert words.summary(report) == "mug, blue, thick red handle"
 
 
 def test_what_is_written_or_drawn_on_it_is_named():

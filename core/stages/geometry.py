@@ -122,7 +122,7 @@ def assembled_shape(
 
 def leashed(parts: KnownParts, leash: Leash) -> KnownParts:
     """``parts`` within the leash, and the guide's inside, which is neither flat nor round."""
-    flat, around, cornered, _ = parts.forms
+    flat, around, cornered, *_ = parts.forms
     distances = leash.parts(parts.distances, len(flat))
     # The leash may cut components small.
     forms = Forms((*flat, 0.0), tuple((*axis, 0.0) for axis in around), cornered)

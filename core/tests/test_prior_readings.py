@@ -136,10 +136,40 @@ def test_a_word_for_a_size_is_of_the_whole_thing(prompt: str, times: float) -> N
     assert any("its usual size" in note for note in found["notes"]) == (times != 1)
 
 
-def test_a_size_of_a_part_is_left_out_and_said() -> None:
-    found = read("truck with small black wheels")
-    assert found["notes"] == ["small: left out, as only the whole thing has a size."]
-    assert found["part_colours"] == {"wheels": "black"}
+@pytest.mark.parametrize(
+    ("prompt", "sizes"),
+    [
+        ("truck with small black wheels", {"wheels": "small"}),
+        ("a chair with long thin legs", {"legs": "long thin"}),
+        ("a red mug with a thick blue handle", {"handle": "thick"}),
+        ("an elephant with tiny ears and long tusks", {"ears": "tiny", "tusks": "long"}),
+        ("a big crab with huge claws", {"claws": "huge"}),
+        ("a dragon with large wings, red", {"wings": "large"}),
+        ("a little rusty car with a big trunk", {}),
+    ],
+)
+def test_a_size_before_a_part_is_that_part_s(prompt: str, sizes: dict) -> None:
+    found = read(prompt)
+    assert found["part_sizes"] == sizes
+    for part, words in sizes.items():
+        assert not set(words.split()) & set(found["left_out"]), part
+        assert not any(note.startswith(words) for note in found["notes"])
+
+
+def test_a_size_of_what_is_no_part_by_itself_is_left_out_and_said() -> None:
+    painted = read("a rabbit with big feet")
+    assert painted["part_sizes"] == {}
+    assert painted["notes"] == ["big: left out, as feet are painted on, or one with the rest."]
+    assert read("a goblin with long ears")["notes"] == [
+        "long ear: left out, as that is not a separate part here."
+    ]
+    found = read("a mug with a round handle")
+    assert found["notes"] == ["round: left out, as only the whole thing has a shape."]
+    assert read("a big eyed owl")["part_sizes"] == {}
+    assert (
+        "big: left out, as only the whole thing and its parts have a size."
+        in (read("a big eyed owl")["notes"])
+    )
 
 
 def test_a_stated_size_counts_more_than_a_word_for_one() -> None:
@@ -437,7 +467,7 @@ def test_a_shade_before_a_part_is_the_parts() -> None:
             "a bookshelf with four shelves",
             "shelves: left out, as that is not a separate part here.",
         ),
-        ("a wizard with a big head", "head: left out, as that is not a separate part here."),
+        ("a wizard with a big head", "big head: left out, as that is not a separate part here."),
         ("a car with a red roof", "red roof: left out, as that is not a separate part here."),
         ("a vase with three legs", "three legs: left out, as a vase has none here."),
     ],

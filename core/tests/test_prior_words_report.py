@@ -284,6 +284,7 @@ def test_what_is_understood_is_plain_data():
         "colours": ["red", "white"],
         "part_colours": {},
         "part_materials": {},
+        "part_sizes": {},
         "part_sheens": {},
         "part_patterns": {},
         "emblems": [],

@@ -113,6 +113,9 @@ def unknown(report: Report | None) -> Mapping[str, Sequence[str]]:
     return (report or {}).get("nearest") or {}
 
 
+PART_LOOKS = "sizes", "sheens", "colours", "materials"  # in the order in which people name them
+
+
 def summary(report: Report) -> str:
     """The reading in the order of the prompt's grammar: "chair, red, wooden", "3 × apple";
     last what goes with it: "rabbit, white, on: red pillow"."""
@@ -132,7 +135,7 @@ def summary(report: Report) -> str:
 
 def _of_parts(report: Report) -> tuple[list[str], list[str]]:
     """The looks of parts that have their own, and these parts."""
-    looks = [report.get(f"part_{look}", {}) for look in ("sheens", "colours", "materials")]
+    looks = [report.get(f"part_{look}", {}) for look in PART_LOOKS]
     own = list(dict.fromkeys(part for of_parts in looks for part in of_parts))
     return [" ".join([*(of[part] for of in looks if part in of), part]) for part in own], own
 

@@ -8,8 +8,9 @@ axis (:mod:`core.geometry.revolved`), or flat outlines one upon another
 over all of them rounds what is smaller than a cell, and each border between two parts is ragged.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 import torch
@@ -41,6 +42,7 @@ from core.geometry.parts.matching import is_drawn, is_same, matched
 from core.geometry.parts.mirrored import Mirror, across, mirrored_mesh, mirrored_pairs
 from core.geometry.parts.pipe_fitting import piped
 from core.geometry.parts.primitives import FRAMES, Primitive
+from core.geometry.parts.resized import Resized, resized
 from core.geometry.parts.slender import thinned
 from core.geometry.revolved import ROUND, revolved
 from core.geometry.signed_distance import SolidMesh
@@ -62,18 +64,25 @@ class KnownParts:
     """The parts of one object, each a solid of its own, and their connected components."""
 
     def __init__(
-        self, distances: Distances, forms: Forms, wider: tuple[float, float, float] = (1, 1, 1)
+        self,
+        distances: Distances,
+        forms: Forms,
+        wider: tuple[float, float, float] = (1, 1, 1),
+        sizes: Mapping[int, tuple[float, float]] = MappingProxyType({}),
     ) -> None:
         """
         Args:
             distances: of each part, at points in training units; columns beyond are none.
             wider: by how much wider the components are looked at than they are, along x, y and z: a
                 lattice would miss a slender thing's walls.
+            sizes: of the parts that have another size than they are drawn with: how many times as
+                large each component is, and of that how many times as long.
         """
-        self.distances, self.forms, self.wider = distances, forms, wider
+        self.distances, self.forms, self.wider, self.sizes = distances, forms, wider, sizes
         self._surfaces: dict[int, Mesh] = {}
         self._solids: dict[int, SolidMesh] = {}
         self._mirrored: dict[int, Mirror] = {}
+        self._resized: dict[int, Resized] = {}
 
     @cached_property
     def components(self) -> list[Component]:
@@ -187,8 +196,22 @@ class KnownParts:
     def surface_of(self, index: int, exact: bool = True) -> Mesh:
         """A component's exact surface, or the one that is drawn."""
         component = self.components[index]
-        verts, faces = self._surface(index) if exact else (component.verts, component.faces)
+        if exact:
+            verts, faces = self._surface(index)
+        else:
+            verts, faces = self._drawn(index, component.verts), component.faces
         return verts / verts.new_tensor(self.wider), faces
+
+    def _drawn(self, index: int, verts: Float[Tensor, "v 3"]) -> Float[Tensor, "v 3"]:
+        """A component's vertices in its own size."""
+        part = self.components[index].place.part
+        if part not in self.sizes:
+            return verts
+        if index not in self._resized:
+            away = self._wide(verts)
+            others = [k for k in range(away.shape[1]) if k != part]
+            self._resized[index] = resized(verts, away[:, others].amin(1), *self.sizes[part])
+        return self._resized[index].moved(verts)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances from their exact surfaces, of points that are near these; what is
@@ -215,11 +238,12 @@ class KnownParts:
         """A component's exact surface as wide as it is looked at, made once."""
         if index not in self._surfaces:
             component, mirror = self.components[index], self._mirrored.get(index)
-            self._surfaces[index] = (
-                mirrored_mesh(self._surface(mirror.of), mirror.axis)
-                if mirror
-                else exact_surface(self, component)
-            )
+            if mirror:
+                made = mirrored_mesh(self._surface(mirror.of), mirror.axis)
+            else:
+                verts, faces = exact_surface(self, component)
+                made = self._drawn(index, verts), faces
+            self._surfaces[index] = made
         return self._surfaces[index]
 
     def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
@@ -229,7 +253,10 @@ class KnownParts:
             return lambda points: there(across(points, mirror.axis))
         primitive = self.components[index].primitive
         if primitive is not None:
-            return primitive.distance
+            self._surface(index)  # which finds its size
+            if (size := self._resized.get(index)) is None:
+                return primitive.distance
+            return lambda points: primitive.distance(size.before(points)) * size.least
         if index not in self._solids:
             self._solids[index] = SolidMesh(*self._surface(index))
         return self._solids[index].sdf

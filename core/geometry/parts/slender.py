@@ -124,11 +124,12 @@ def factors(widths: Float[np.ndarray, " k"], by: float) -> Float[np.ndarray, " k
 def _thin_layers(layers: list[Layer], by: float) -> list[Layer]:
     """Thinner along the axis, and across it where an outline is a strip."""
     low, high = layers[0][0], layers[-1][1]
-    strips = [2 * area / around for area, around in (area_of(loops) for *_, loops in layers)]
-    up, across = factors(np.array([high - low, min(strips)]), by)
+    area, around = np.sum([area_of(loops) for *_, loops in layers], axis=0)
+    strip = 2 * area / around  # in the mean
+    up, across = factors(np.array([high - low, strip]), by)
     found = _flattened(layers, (low + high) / 2, up)
     if across < 1:
-        narrow = (1 - across) * min(strips) / 2
+        narrow = (1 - across) * strip / 2
         found = [(low, high, inset(loops, narrow)) for low, high, loops in found]
     return [layer for layer in found if layer[2]]
 

@@ -181,7 +181,8 @@ class PromptedBuiltin(PromptedGuidance):
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
         solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
-        return PromptedBuiltin(self.builtin, words, self.negative, solid)
+        made = PaintedSolid(words, solid).fitting()
+        return PromptedBuiltin(self.builtin, words, self.negative, made.solid)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
         """The same with another solid, such as a shirt cut to its wearer."""

@@ -1,7 +1,7 @@
 """A drawn solid as it is painted: its parts, their markings, and the prompt's emblems on it."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, partial
 
 import torch
@@ -33,6 +33,7 @@ from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
 from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
 from core.guidance.guidance import Area
 
 SOFT = 0.01  # flat fraction of a part's surface where it is not known
@@ -40,6 +41,11 @@ EVEN = 0.02  # tolerance of the scales along two axes for a circle to stay one
 LONG = 4  # digits: a number by nature has fewer
 BEARS = "it stays, as markings are on it."
 NO_ROOM = "left out, as the thing has no room for it."
+
+
+def product(factors: Mapping[str, float], words: Iterable[str]) -> float:
+    """Of the words that have one."""
+    return math.prod(factors.get(word, 1.0) for word in words)
 
 
 class PaintedSolid:
@@ -65,8 +71,23 @@ class PaintedSolid:
         wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
         corners = CORNERED.get(solid_of(noun), ())
         cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
-        forms = Forms(flat, kept, cornered, least, slender_parts(noun, list(looks(noun))))
-        return KnownParts(self.solid.distances, forms, wider)
+        names = list(looks(noun))
+        own = {} if is_guided else dict(self.words.part_sizes)
+        sizes = [own.get(name, "").split() for name in names]
+        each = zip(slender_parts(noun, names), sizes, strict=True)
+        thick = [by * product(PART_WIDTHS, words) for by, words in each]
+        stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
+        changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
+        forms = Forms(flat, kept, cornered, least, thick)
+        return KnownParts(self.solid.distances, forms, wider, changed)
+
+    def fitting(self) -> "PaintedSolid":
+        """The same within the cube again, where some of its parts got another size."""
+        if not self.parts.sizes:
+            return self
+        count = len(self.parts.components)
+        verts = torch.cat([self.parts.surface_of(index)[0] for index in range(count)])
+        return PaintedSolid(self.words, self.solid.framing(verts))
 
     @cached_property
     def emblems(self) -> list[Drawn]:

@@ -31,6 +31,13 @@ def is_round(noun: str) -> bool:
     return max(axis[0] for axis in around) >= ROUND
 
 
+def is_solid(noun: str, part: str) -> bool:
+    """Whether a part has a solid of its own; others are markings."""
+    least, names = part_forms_table()[noun].least, list(NOUNS[noun].looks)
+    index = names.index(part)
+    return index < len(least) and least[index] > 0
+
+
 @cache
 def part_forms_table() -> dict[str, PartForms]:
     """The forms by noun."""

@@ -94,6 +94,14 @@ class Solid:
                 return solid
             swell = swell / 2 if swell > LEAST_SWELL else 0.0
 
+    def framing(self, verts: Float[Tensor, "v 3"]) -> "Solid":
+        """The solid in the frame in which such vertices, in its own frame, have the training's
+        place and size."""
+        (x, y, z), scale = frame_of(verts)
+        k, (a, b, c), (u, v, w) = scale[0], self.frame.center, self.frame.scale
+        frame = Frame((a + x / u, b + y / v, c + z / w), (k * u, k * v, k * w))
+        return replace(self, frame=frame, swell=k * self.swell)
+
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside, training units; less than the true one farther off than
         a tenth, and where the frame's scale is uneven."""

@@ -21,6 +21,7 @@ class StatedPart(NamedTuple):
     pattern: str = ""
     second: str = ""  # the pattern's other colour, where that is stated
     second_form: str = ""
+    sizes: tuple[str, ...] = ()
 
 
 class Accent(NamedTuple):

@@ -4,13 +4,21 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
+from core.guidance.builtin.part_forms import is_solid
 from core.guidance.builtin.words.accents import StatedPart, accents_of
 from core.guidance.builtin.words.colors import shade
 from core.guidance.builtin.words.counts import Counted
 from core.guidance.builtin.words.kind_sizes import KIND_SIZES
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, Vocabulary, look_up
 from core.guidance.builtin.words.measures import Size
-from core.guidance.builtin.words.part_names import always_has, borne, can_lack, lacked, may_state
+from core.guidance.builtin.words.part_names import (
+    always_has,
+    borne,
+    can_lack,
+    lacked,
+    may_state,
+    own_names,
+)
 from core.guidance.builtin.words.part_tables import OPTIONS, WHOLE
 from core.guidance.builtin.words.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words.sorts import Sort
@@ -186,6 +194,20 @@ class Findings:
         stated = tuple(accent for accent in accents if any(accent[1:]))
         found = {"color": color, "second": second, "pattern": pattern, "target": target}
         return found | {"color_form": form, "second_form": other, "accents": stated}
+
+    def part_sizes(self, noun: str) -> tuple[tuple[str, str], ...]:
+        """Each part that has a size of its own, and the words for it."""
+        found: dict[str, str] = {}
+        for part in self.parts:
+            if not (part.sizes and part.there and noun):
+                continue
+            names = own_names(noun, part.name) or own_names(noun, part.form)
+            solid = [name for name in names if is_solid(noun, name)]
+            if not solid:
+                self.leave_aside(list(part.sizes), f"{part.form} are painted on, or one with the rest")
+            for name in solid:
+                found.setdefault(name, " ".join(part.sizes))
+        return tuple(found.items())
 
     def _ground(self) -> list[tuple[str, str]]:
         """The colour of the whole below stripes, taken from its description as a part: "red paint,

@@ -51,6 +51,7 @@ from core.guidance.builtin.words.words import (
     IGNORED_ADJECTIVES,
     LOOKS,
     OF_ANOTHER,
+    PART_SIZES,
     PHRASE_ENDS,
     PLAIN,
     PLUSHIES,
@@ -163,7 +164,7 @@ class Reading(Stature):
             self.got.size_words.append(token)
         elif token in SIZE_WORDS:
             if token != "little":  # "a little rusty"
-                self.got.leave_aside([token], "only the whole thing has a size")
+                self._part_sizes.append(token)
         elif self._is_manner(token, at) or token in HOW_MADE:  # "painted white"
             pass
         elif token in IGNORED_ADJECTIVES and not corrected_phrase(tokens):
@@ -347,10 +348,16 @@ class Reading(Stature):
     def _state(self, part: str, form: str) -> None:
         """ "With a blue leather handle": the look right before a part is the part's, not the
         thing's."""
+        sizes, self._part_sizes = self._part_sizes, []
+        for _ in range(self._looks.count("shape")):
+            shape = self.got.found["shape"].pop().form
+            if shape in PART_SIZES:
+                sizes.insert(0, shape)
+            else:
+                self.got.leave_aside([shape], "only the whole thing has a shape")
+        self._looks = [look for look in self._looks if look != "shape"]
         own = {look: self.got.found[look].pop() for look in dict.fromkeys(self._looks)}
         own |= self._clearest(own)
-        if "shape" in own:
-            self.got.leave_aside([own["shape"].form], "only the whole thing has a shape")
         started = (self._accessory or {}).get("weather", len(self.got.found["weather"]))
         for one in self.got.found["weather"][started:]:  # "with a mossy roof"
             self.got.found["weather"].remove(one)
@@ -365,7 +372,7 @@ class Reading(Stature):
             return
         colors = [(one.word, shade(*one[1:])) if one else ("", "") for one in (color, second)]
         sheen, pattern = (own[look].word if look in own else "" for look in ("sheen", "pattern"))
-        stated = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
+        stated = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1], tuple(sizes))
         self.got.parts.append(StatedPart(part, True, *stated))
 
     def _clearest(self, own: dict[str, Entry]) -> dict[str, Entry]:
@@ -392,7 +399,7 @@ class Reading(Stature):
         for part in self.got.strange_parts():
             why = self._why_strange(part)
             of = part.material.form if part.material else ""
-            words = (part.color_form or part.color, of, part.pattern, part.form)
+            words = (*part.sizes, part.color_form or part.color, of, part.pattern, part.form)
             self.got.leave_aside([" ".join(filter(None, words))], why)
 
     def _why_strange(self, part: StatedPart) -> str:

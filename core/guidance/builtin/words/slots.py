@@ -45,6 +45,7 @@ class Words:
     material_form: str = field(default="", compare=False)  # the material as written
     size: Size | None = field(default=None, compare=False)
     absent: tuple[str, ...] = ()  # parts that are left out on request
+    part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     companions: tuple["Companion", ...] = ()  # other things that are made with it
     count: int = 1  # how many of it are made

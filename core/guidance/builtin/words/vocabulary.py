@@ -84,6 +84,7 @@ def understood(
         **_looks(words),
         "shape": words.shape or None,
         "parts": words.stated_parts(),
+        "part_sizes": dict(words.part_sizes),
         "part_sheens": words.of_parts("sheen"),
         "part_patterns": words.part_patterns(),
         "weather": list(words.weather),
@@ -291,6 +292,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
+    words["part_sizes"] = got.part_sizes(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))

@@ -320,6 +320,12 @@ SIZE_WORDS = {
     **dict.fromkeys(("giant", "gigantic", "colossal"), 3.0),
 }
 FILLER |= SIZE_WORDS.keys()
+# Sizes of a part, by the word before it: of all of it, of its length, of its thickness.
+PART_SCALES = {word: round(by**0.7, 2) for word, by in SIZE_WORDS.items()}
+PART_LENGTHS = dict.fromkeys(("long", "tall"), 1.5) | {"short": 0.6}
+PART_WIDTHS = dict.fromkeys(("thick", "chunky", "bulky", "stout", "fat"), 1.5)
+PART_WIDTHS |= dict.fromkeys(("thin", "slim", "slender", "narrow"), 0.6)
+PART_SIZES = {*PART_SCALES, *PART_LENGTHS, *PART_WIDTHS}
 # Depictions: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
