@@ -87,5 +87,5 @@ def test_a_prompt_s_sizes_are_made_within_the_cube_and_the_areas_follow():
     assert areas is not None
     tip = long_parts.surface_of(index)[0]
     tip = tip[tip[:, 2] > tip[:, 2].quantile(0.7)]
-    swirl = list(NOUNS["unicorn"].looks).index("swirl")
-    assert set(areas.of(tip).tolist()) == {horn, swirl}
+    twist = list(NOUNS["unicorn"].looks).index("twist")
+    assert set(areas.of(tip).tolist()) == {horn, twist}
