@@ -200,4 +200,4 @@ def test_the_size_of_a_part_is_not_the_things():
     assert parse("a rabbit with long legs").shape == ""
     words = parse("a bird with a long red beak")
     assert (words.shape, words.of_parts("color")) == ("", {"bill": "red"})
-    assert "long" in words.left_out
+    assert words.part_sizes == (("bill", "long"),)

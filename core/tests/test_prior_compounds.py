@@ -68,9 +68,9 @@ def test_a_part_in_front_that_the_thing_has_not_is_said():
 
 def test_the_shape_of_a_part_is_not_the_things():
     found = understood("a long-legged bird")
-    assert found["left_out"] == ["long"]
+    assert found["part_sizes"] == {"legs": "long"}
     assert found["shape"] is None
-    assert found["notes"] == ["long: left out, as only the whole thing has a shape."]
+    assert found["left_out"] == found["notes"] == []
 
 
 @pytest.mark.parametrize(

@@ -159,7 +159,7 @@ def test_a_size_before_a_part_is_that_part_s(prompt: str, sizes: dict) -> None:
 def test_a_size_of_what_is_no_part_by_itself_is_left_out_and_said() -> None:
     painted = read("a rabbit with big feet")
     assert painted["part_sizes"] == {}
-    assert painted["notes"] == ["big: left out, as feet are painted on, or one with the rest."]
+    assert painted["notes"] == ["big: left out, as that is not a separate part here."]
     assert read("a goblin with long ears")["notes"] == [
         "long ear: left out, as that is not a separate part here."
     ]

@@ -20,6 +20,7 @@ from core.geometry.parts.primitives import (
 )
 from core.geometry.union import area_of, inset
 
+STRIP = 1.25  # times as wide as thick, at most: an outline that gets narrower too
 ALSO = 2.0  # times the least width: what is wider is no thickness
 
 
@@ -126,10 +127,10 @@ def _thin_layers(layers: list[Layer], by: float) -> list[Layer]:
     low, high = layers[0][0], layers[-1][1]
     area, around = np.sum([area_of(loops) for *_, loops in layers], axis=0)
     strip = 2 * area / around  # in the mean
-    up, across = factors(np.array([high - low, strip]), by)
+    up = by if high - low < ALSO * strip else 1.0
     found = _flattened(layers, (low + high) / 2, up)
-    if across < 1:
-        narrow = (1 - across) * strip / 2
+    if strip < STRIP * (high - low):
+        narrow = (1 - by) * strip / 2
         found = [(low, high, inset(loops, narrow)) for low, high, loops in found]
     return [layer for layer in found if layer[2]]
 

@@ -204,7 +204,7 @@ class Findings:
             names = own_names(noun, part.name) or own_names(noun, part.form)
             solid = [name for name in names if is_solid(noun, name)]
             if not solid:
-                self.leave_aside(list(part.sizes), f"{part.form} are painted on, or one with the rest")
+                self.leave_aside(list(part.sizes), NOT_APART)
             for name in solid:
                 found.setdefault(name, " ".join(part.sizes))
         return tuple(found.items())
