@@ -21,6 +21,7 @@ from core.device import device_of
 from core.errors import Paused, UserError
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise, turned
+from core.geometry.parts.assembly import KnownParts, thinned_by
 from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.words.part_words import of_whole
 from core.guidance.guidance import PromptedGuidance, PromptWarning
@@ -201,7 +202,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = place(verts, size_of(run, verts)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
-    return write_asset(run.asset, placed, maps, info_of(job, run), picture)
+    drawn = None if inputs.shape or learns(inputs.config.geometry) else guidance.parts()
+    return write_asset(run.asset, placed, maps, info_of(job, run, drawn), picture)
 
 
 def reshaped_mesh(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
@@ -389,11 +391,12 @@ def views_of(config: Config) -> dict[str, int]:
     return views
 
 
-def info_of(job: Job, run: RunFolder) -> dict:
-    """The facts in asset.json about the origin."""
+def info_of(job: Job, run: RunFolder, drawn: KnownParts | None = None) -> dict:
+    """The facts in asset.json about the origin; ``drawn``: the parts that the shape is made of."""
     names = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
     words = {key: value for key, value in asdict(job).items() if key in names}
     timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}
     _, density = usual_of(job.prompt)
+    density *= thinned_by(drawn) if drawn else 1.0  # the usual mass is of what is drawn
     origin = {"job": recorded(job), "made_by": made_by(job)}
     return words | origin | {"density": density, "timings": timings, "distribution": "GGX"}

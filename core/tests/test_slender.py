@@ -7,16 +7,18 @@ import numpy as np
 import pytest
 import torch
 
-from core.geometry.mesh import NORMAL_RADIUS
-from core.geometry.parts.assembly import KnownParts, assembled
+from core.geometry.mesh import NORMAL_RADIUS, face_areas
+from core.geometry.parts.assembly import KnownParts, assembled, thinned_by
 from core.geometry.parts.forms import Forms
 from core.geometry.parts.primitives import Primitive, packed, packed_along
+from core.geometry.parts.sheets import thinned_sheet
 from core.geometry.parts.slender import thinned
 from core.geometry.tet_grid import EXTENT
 from core.geometry.union import is_solid
 from core.guidance.builtin.bent import BentSolid, in_box
 from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.slender import SLENDER, slender_parts
 from core.guidance.builtin.stretch import AS_IT_IS, DRAWN_WIDER
 from core.prior.draw import Draw
 from core.prior.families import Shape, build, normalised
@@ -139,6 +141,48 @@ THIN = [
 ]
 
 
+def wing(points):
+    """A sheet that is bent, with an uneven outline: no primitive."""
+    x, y, z = points.unbind(1)
+    outline = (x.square() + (y * (1.3 + 0.4 * (5 * x).sin())).square()).sqrt() - 0.5
+    across = (z - 0.35 * x.square() - 0.2 * x * y).abs() - 0.05
+    away = torch.stack([outline, across], 1)
+    return (away.clamp_min(0).norm(dim=1) + away.amax(1).clamp_max(0))[:, None]
+
+
+@pytest.mark.parametrize("by", [1.0, 0.4])
+def test_a_sheet_that_is_no_primitive_gets_thinner_and_keeps_its_outline(by):
+    parts = KnownParts(wing, Forms((0.0,), ((0.0,),) * 3, slender=(by,)))
+    (component,) = parts.components
+    assert component.primitive is None
+    verts, faces = parts.surface_of(0)
+    assert is_solid(verts, faces)
+    area = float(face_areas(verts, faces).sum())
+    assert 2 * volume(verts, faces) / area == pytest.approx(0.1 * by, rel=0.2)
+    drawn, _ = parts.surface_of(0, exact=False)
+    for ends in (drawn.amax(0) - verts.amax(0), drawn.amin(0) - verts.amin(0)):
+        assert ends[:2].abs().max() < 0.02
+    assert thinned_by(parts) == pytest.approx(1 / by, rel=0.15) if by < 1 else 1.0
+
+
+def test_what_is_stout_is_no_sheet():
+    blob = KnownParts(
+        lambda p: (p.norm(dim=1) - 0.4 + 0.03 * (9 * p).sin().sum(1))[:, None],
+        Forms((0.0,), ((0.0,),) * 3, slender=(0.4,)),
+    )
+    (component,) = blob.components
+    made = thinned_sheet(component.verts, component.faces, component.lattice, 0.4)
+    assert made[0] is component.verts
+
+
+def test_a_thinner_thing_weighs_what_is_usual():
+    ladder = shipped_prior().prompted("a ladder", "").of_object(1)
+    parts = ladder.parts()
+    assert parts is not None and thinned_by(parts) > 1.3
+    mug = shipped_prior().prompted("a chest", "").of_object(1).parts()
+    assert mug is not None and thinned_by(mug) == 1.0
+
+
 def volume(verts, faces) -> float:
     return float(torch.linalg.det(verts[faces].double()).sum() / 6)
 
@@ -157,3 +201,22 @@ def test_a_primitive_is_made_thinner_and_as_long_as_it_is(form, lengths, size):
     ends = [(x.min(0) + x.max(0)) / 2 for x in (local, was)]
     there = made.center + made.frame @ ends[0], one.center + one.frame @ ends[1]
     assert np.allclose(*there, atol=0.004)  # its middle stays
+
+
+@pytest.mark.parametrize("noun", SLENDER)
+def test_thin_parts_are_known_parts_and_are_thinner(noun):
+    assert noun in NOUNS and set(SLENDER[noun]) <= set(NOUNS[noun].looks)
+    assert all(0.1 <= by < 0.95 for by in SLENDER[noun].values())
+    names = list(NOUNS[noun].looks)
+    assert slender_parts(noun, names) == [SLENDER[noun].get(name, 1.0) for name in names]
+
+
+def test_another_s_solid_is_as_thin_as_that_one_unless_it_has_a_row():
+    own = {noun for noun, row in NOUNS.items() if row.solid and noun in SLENDER}
+    others = [noun for noun, row in NOUNS.items() if row.solid in SLENDER and noun not in own]
+    assert own and others
+    for noun in others:
+        solid, names = NOUNS[noun].solid, list(NOUNS[noun].looks)
+        first = slender_parts(solid, list(NOUNS[solid].looks))
+        found = slender_parts(noun, names)
+        assert len(found) == len(names) and found[: len(first)] == first[: len(names)]

@@ -21,7 +21,7 @@ from torch import Tensor
 from core.geometry.bilateral import flattened
 from core.geometry.crisp import RIPPLES, crisp
 from core.geometry.faces import bending
-from core.geometry.mesh import drop_floaters, face_areas
+from core.geometry.mesh import drop_floaters, face_areas, signed_volume
 from core.geometry.parts.blade import blade
 from core.geometry.parts.components import (
     Component,
@@ -43,6 +43,7 @@ from core.geometry.parts.mirrored import Mirror, across, mirrored_mesh, mirrored
 from core.geometry.parts.pipe_fitting import piped
 from core.geometry.parts.primitives import FRAMES, Primitive
 from core.geometry.parts.resized import Resized, resized
+from core.geometry.parts.sheets import thinned_sheet
 from core.geometry.parts.slender import thinned
 from core.geometry.revolved import ROUND, revolved
 from core.geometry.signed_distance import SolidMesh
@@ -282,6 +283,18 @@ def assembled(
     return drop_floaters(*union(meshes, STRUT), floaters)
 
 
+def thinned_by(parts: KnownParts) -> float:
+    """How many times as large as made, by volume, the components are as drawn: 1 where none is
+    thinner."""
+    indices = range(len(parts.components))
+    if all(parts.forms.thickness(parts.components[k].place.part) == 1 for k in indices):
+        return 1.0
+    drawn, made = (
+        sum(signed_volume(*parts.surface_of(k, exact)) for k in indices) for exact in (False, True)
+    )
+    return drawn / made
+
+
 def without_strays(components: list[Component], forms: Forms) -> list[Component]:
     """The components without strays: some of a boy's hair was next to each shoe."""
     areas = [float(face_areas(component.verts, component.faces).sum()) for component in components]
@@ -316,11 +329,14 @@ def turned_about(component: Component, axis: int) -> Primitive | None:
 
 
 def exact_surface(parts: KnownParts, component: Component) -> Mesh:
-    """That of its primitive; or its own, on its planes or without its ripples."""
+    """That of its primitive; or its own, on its planes or without its ripples, and as thin as the
+    real part's."""
     if component.primitive is not None:
         return component.primitive.mesh(component.cell)
-    verts, faces, flat = component.verts, component.faces, parts.forms.flat[component.place.part]
-    of = torch.zeros(len(verts), dtype=torch.long)
+    part = component.place.part
+    thick = parts.forms.thickness(part)
+    verts, faces = thinned_sheet(component.verts, component.faces, component.lattice, thick)
+    of, flat = torch.zeros(len(verts), dtype=torch.long), parts.forms.flat[part]
     made = crisp(verts, faces, verts, of, (flat,), component.error, smooth=True)
     smooth = flattened(verts, faces, *RIPPLES), faces
     before, after = (bending(v.double().numpy(), f.numpy()) for v, f in (smooth, made))

@@ -74,7 +74,8 @@ class PaintedSolid:
         names = list(looks(noun))
         own = {} if is_guided else dict(self.words.part_sizes)
         sizes = [own.get(name, "").split() for name in names]
-        each = zip(slender_parts(noun, names), sizes, strict=True)
+        slender = [1.0] * len(names) if is_guided else slender_parts(noun, names)
+        each = zip(slender, sizes, strict=True)
         thick = [by * product(PART_WIDTHS, words) for by, words in each]
         stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
         changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}

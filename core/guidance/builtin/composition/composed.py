@@ -229,7 +229,10 @@ class ComposedParts(KnownParts):
         self.starts = [sum(counts[:k]) for k in range(len(counts))]
         pairs = zip(each, self.starts, strict=True)
         cornered = [k + start for forms, start in pairs for k in forms.cornered]
-        super().__init__(self._distances, Forms(flat, around, cornered))
+        slender = [
+            parts.forms.thickness(k) for parts, _ in placed for k in range(len(parts.forms.flat))
+        ]
+        super().__init__(self._distances, Forms(flat, around, cornered, slender=slender))
 
     @cached_property
     def components(self) -> list[Component]:
