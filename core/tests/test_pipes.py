@@ -11,6 +11,8 @@ from core.geometry.parts.pipe_fitting import simplified
 from core.geometry.parts.pipes import Pipe, packed_pipes, pipes, surface_of, unpacked_pipes
 from core.geometry.parts.skeleton import Skeleton, skeleton_of
 from core.geometry.parts.slender import thinned
+from core.guidance.builtin.nouns import NOUNS
+from core.tests.drawn_things import shipped_prior
 
 R = 0.06
 ROUND = Forms((0.0,), ((0.0,),) * 3)
@@ -93,6 +95,14 @@ def test_what_is_stout_or_a_board_is_no_pipe():
     for distances in (board, drawn(fat)):
         forms = [c.primitive and c.primitive.form for c in KnownParts(distances, ROUND).components]
         assert "pipes" not in forms
+
+
+def test_a_small_wing_is_no_pipe_that_winds_over_it():
+    dragon = shipped_prior().prompted("a dragon with huge wings", "").of_object(1).parts()
+    assert dragon is not None
+    wings = list(NOUNS["dragon"].looks).index("wings")
+    found = [component for component in dragon.components if component.place.part == wings]
+    assert found and not any(c.primitive and c.primitive.form == "pipes" for c in found)
 
 
 def test_a_closed_curve_goes_through_its_nodes_and_a_circle_is_one():

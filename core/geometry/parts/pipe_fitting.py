@@ -13,6 +13,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.optimize import least_squares
 
 from core.geometry.init_shape import sample_surface
+from core.geometry.mesh import face_areas
 from core.geometry.parts.components import Component
 from core.geometry.parts.pipes import Pipe, apart, packed_pipes, weights_of
 from core.geometry.parts.primitives import Primitive
@@ -25,6 +26,7 @@ SIMPLE = 0.4  # errors that a node of a chain may be off the line without it
 CORNER = 0.7  # cosine between two sides of a chain, below which it has a corner
 NEAR = 1.5  # radii between two nodes of a chain, at least
 SLIM = 8.0  # times the mean radius that the pipes are long together, at least
+AREA = 0.15  # by which the surface of pipes may be larger or smaller than what is drawn
 STOUT = 0.125  # training units, a pipe's radius, at most
 MOST = 60  # nodes
 STILL, LEVEL = 0.05, 0.1  # what a move of a node counts, and a difference between two radii
@@ -73,7 +75,13 @@ def piped(component: Component) -> Primitive | None:
     radii = graph.nodes[:, 3]
     if graph.length < SLIM * radii.mean() or radii.max() > STOUT:
         return None
-    return Primitive("pipes", np.zeros(3), np.zeros(3), packed_pipes(graph.made()))
+    one = Primitive("pipes", np.zeros(3), np.zeros(3), packed_pipes(graph.made()))
+    drawn, made = (
+        float(face_areas(verts, faces).sum())
+        for verts, faces in ((component.verts, component.faces), one.mesh(np.inf))
+    )
+    # A small wing fits a pipe that winds over it.
+    return one if abs(made / drawn - 1) < AREA else None
 
 
 def _skeleton(component: Component) -> Skeleton | None:
