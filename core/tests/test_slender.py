@@ -10,7 +10,7 @@ import torch
 from core.geometry.mesh import NORMAL_RADIUS, face_areas
 from core.geometry.parts.assembly import KnownParts, assembled, thinned_by
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.primitives import Primitive, packed, packed_along
+from core.geometry.parts.primitives import Primitive, packed, packed_along, unpacked
 from core.geometry.parts.sheets import thinned_sheet
 from core.geometry.parts.slender import thinned
 from core.geometry.tet_grid import EXTENT
@@ -181,6 +181,26 @@ def test_a_thinner_thing_weighs_what_is_usual():
     assert parts is not None and thinned_by(parts) > 1.3
     mug = shipped_prior().prompted("a chest", "").of_object(1).parts()
     assert mug is not None and thinned_by(mug) == 1.0
+
+
+def test_a_narrow_layer_stays_among_wide_ones():
+    foot = [(-0.5, -0.4, [STRIP]), (-0.4, 0.5, [0.15 * STRIP])]
+    one = Primitive("layers", np.zeros(3), np.zeros(3), packed(foot))
+    (_, _, (base,)), (low, high, (pole,)) = unpacked(thinned(one, 0.4).lengths)
+    assert (low, high) == (-0.4, 0.5)
+    assert 0.05 < np.abs(pole).max() < 0.07 and np.abs(base).max() > 0.4
+
+
+FOOT = (0, -0.5, 0.5, -0.5, 0.5, -0.4, 0.1, -0.3, 0.1, 0.5, 0, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("form", "lengths"),
+    [("turned", FOOT), ("box", (0.3, 0.4, 0.5, 0.0)), ("frustum", (0.3, 0.3, 0.2, 0.0))],
+)
+def test_what_has_no_thin_direction_stays(form, lengths):
+    one = Primitive(form, *map(np.array, UPON), np.array(lengths, float))
+    assert np.array_equal(thinned(one, 0.4).lengths, one.lengths)
 
 
 def volume(verts, faces) -> float:

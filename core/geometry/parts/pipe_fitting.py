@@ -54,7 +54,7 @@ class Graph(NamedTuple):
 
     def made(self) -> list[Pipe]:
         """A closed pipe's first node is its last."""
-        closed = [len(pipe) > 2 and pipe[0] == pipe[-1] for pipe in self.pipes]
+        closed = [len(pipe) > 3 and pipe[0] == pipe[-1] for pipe in self.pipes]
         return [
             Pipe(self.nodes[pipe[:-1] if ends else pipe], ends)
             for pipe, ends in zip(self.pipes, closed, strict=True)

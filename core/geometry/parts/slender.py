@@ -69,10 +69,11 @@ def _ring(lengths: Lengths, by: float) -> Thinned:
 def _turned(lengths: Lengths, by: float) -> Thinned:
     profile = lengths.reshape(-1, 2)
     low, high = profile.min(0), profile.max(0)
-    middle = (low + high) / 2
+    middle, around = (low + high) / 2, 2 * np.pi * high[0]
     if 2 * low[0] < high[0]:  # no hoop: it goes on through the axis
-        low, middle = -high * (1, 0) + low * (0, 1), middle * (0, 1)
-    return MIDDLE, (middle + (profile - middle) * factors(high - low, by)).ravel()
+        low, middle, around = -high * (1, 0) + low * (0, 1), middle * (0, 1), 0.0
+    widths = [*(high - low), *([around] if around else [])]
+    return MIDDLE, (middle + (profile - middle) * factors(np.array(widths), by)[:2]).ravel()
 
 
 def _layers(lengths: Lengths, by: float) -> Thinned:
@@ -93,7 +94,8 @@ def _wall(lengths: Lengths, by: float) -> Thinned:
 
 
 def _blade(lengths: Lengths, by: float) -> Thinned:
-    return MIDDLE, np.append(lengths[:2] * factors(lengths[:2], by), lengths[2:])
+    across = factors(np.append(lengths[:2], lengths[2:4].sum()), by)[:2]
+    return MIDDLE, np.append(lengths[:2] * across, lengths[2:])
 
 
 def _pipes(lengths: Lengths, by: float) -> Thinned:
@@ -118,19 +120,21 @@ THINNED = {
 
 
 def factors(widths: Float[np.ndarray, " k"], by: float) -> Float[np.ndarray, " k"]:
-    """``by`` for each width that is about the least; 1 for what is wider."""
-    return np.where(widths < ALSO * widths.min(), by, 1.0)
+    """``by`` for each width that is about the least; 1 for what is wider, and for all where none
+    is: a table's one leg with its foot is no rod."""
+    thin = widths < ALSO * widths.min()
+    return np.where(thin & ~thin.all(), by, 1.0)
 
 
 def _thin_layers(layers: list[Layer], by: float) -> list[Layer]:
     """Thinner along the axis, and across it where an outline is a strip."""
     low, high = layers[0][0], layers[-1][1]
-    area, around = np.sum([area_of(loops) for *_, loops in layers], axis=0)
-    strip = 2 * area / around  # in the mean
+    areas, ways = np.array([area_of(loops) for *_, loops in layers]).T
+    strip = 2 * areas.sum() / ways.sum()  # in the mean
     up = by if high - low < ALSO * strip else 1.0
     found = _flattened(layers, (low + high) / 2, up)
     if strip < STRIP * (high - low):
-        narrow = (1 - by) * strip / 2
+        narrow = (1 - by) * float((areas / ways).min())  # half of the narrowest layer's
         found = [(low, high, inset(loops, narrow)) for low, high, loops in found]
     return [layer for layer in found if layer[2]]
 
