@@ -149,7 +149,7 @@ def area_of(loops: Loops) -> tuple[float, float]:
     return float(_outline(loops).area()), float(np.sum(sides))
 
 
-def inset(loops: Loops, by: float) -> list[Float[np.ndarray, "k 2"]]:
+def inset(loops: Loops, by: float) -> list[Float[np.ndarray, "_ 2"]]:
     """An outline narrower by so much on each side, its corners as they are."""
     made = _outline(loops).offset(-by, manifold3d.JoinType.Miter)
     return [np.array(loop) for loop in made.to_polygons()]

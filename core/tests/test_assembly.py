@@ -396,9 +396,9 @@ def around(turns):
 
 
 def star(points, wave=0.0):
-    """Three round arms about the middle, each drawn a little otherwise."""
+    """Three round arms about the middle, too stout for pipes, each drawn a little otherwise."""
     arms = [
-        box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.25, 0.0, 0.0)) - 0.12 for k in range(3)
+        box(points @ around(k / 3), (0.35, 0.0, 0.0), (0.25, 0.0, 0.0)) - 0.15 for k in range(3)
     ]
     return (torch.stack(arms).amin(0) + wave * (11 * points).sin().sum(1))[:, None]
 

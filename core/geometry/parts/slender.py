@@ -32,7 +32,7 @@ def thinned(one: Primitive, by: float) -> Primitive:
     return one._replace(center=one.center + one.frame @ center, lengths=lengths)
 
 
-Thinned = tuple[Float[np.ndarray, " 3"], Lengths]  # how far the middle moves, the lengths
+Thinned = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " _n"]]  # how far the middle moves, the lengths
 MIDDLE = np.zeros(3)
 
 
