@@ -32,7 +32,8 @@ def thinned(one: Primitive, by: float) -> Primitive:
     return one._replace(center=one.center + one.frame @ center, lengths=lengths)
 
 
-Thinned = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " _n"]]  # how far the middle moves, the lengths
+# How far the middle moves, and the lengths.
+Thinned = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " _n"]]
 MIDDLE = np.zeros(3)
 
 
