@@ -21,7 +21,7 @@ FIRST = (
     "a red house with a grey roof",
     "a blue robot with yellow eyes and red limbs",
     "an astronaut riding a horse",
-    "a white car with red wheels",
+    "a bucket of red apples",
     "a corgi wearing a green scarf",
 )
 SHOWN = ("normal", "base_color", "cycles")
