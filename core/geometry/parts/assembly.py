@@ -292,7 +292,7 @@ def thinned_by(parts: KnownParts) -> float:
     drawn, made = (
         sum(signed_volume(*parts.surface_of(k, exact)) for k in indices) for exact in (False, True)
     )
-    return drawn / made
+    return round(drawn / made, 3)
 
 
 def without_strays(components: list[Component], forms: Forms) -> list[Component]:
