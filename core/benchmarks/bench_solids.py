@@ -19,7 +19,7 @@ from core.benchmarks import machine, row, table_line
 from core.benchmarks.bench_prior import known_nouns
 from core.benchmarks.likeness import Points, Surface, likeness, objects
 from core.config import DRAFT
-from core.geometry.parts.assembly import assembled
+from core.geometry.parts.assembly import KnownParts, assembled
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
 from core.guidance.builtin.offered import drawn_nouns
 from core.io.job import write_text
@@ -59,6 +59,8 @@ def solid_scores(
         ones.append(prompted.of_object(seed))
         parts = ones[-1].parts()
         assert parts is not None  # each of them has
+        # The families' own objects are as stout as they are drawn.
+        parts = KnownParts(parts.distances, parts.forms._replace(slender=()), parts.wider)
         made = assembled(parts, True, DRAFT.geometry.floaters, lambda _: None)
         assert made is not None  # of some size
         drawn.append(made)
