@@ -11,7 +11,7 @@ from core.config import DRAFT
 from core.generate import Inputs, of_seed
 from core.geometry.mesh import NORMAL_RADIUS, Mesh, component_labels, health
 from core.geometry.parts.assembly import assembled
-from core.guidance.builtin.composition.composed import Composed, composed_field
+from core.guidance.builtin.composition.composed import Composed, ComposedParts, composed_field
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import seen_from
 from core.guidance.builtin.guidance import PromptedBuiltin
@@ -48,6 +48,17 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     head = Body.of(cat.words, cat.solid).placed(guidance.made.places[0][0])
     top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
     assert (areas.of(top) < len(looks("cat"))).all()
+
+
+@pytest.mark.parametrize("prompt", ["a cat on a table", "a mouse on a rug"])
+def test_what_stands_on_a_thin_top_touches_it(prompt):
+    parts = composed(prompt).parts()
+    assert isinstance(parts, ComposedParts)
+    (cat, (here,)), (top, (there,)) = parts.placed
+    assert top.is_thinner
+    verts = torch.cat([cat.surface_of(k)[0] for k in range(len(cat.components))])
+    away = top.near(there.into(here.out(verts))).amin(1) * there.scale
+    assert -0.04 < away.min() < 0
 
 
 def test_far_from_a_thing_its_network_is_not_asked():

@@ -36,7 +36,7 @@ def placed(prompt: str) -> tuple[Posed, Body, Body]:
     assert isinstance(first, Posed)
     (here,), (there,) = guidance.made.places
     own = first.pose.body(Body.of(first.words, first.solid)).placed(here)
-    return first, own, Body.of(other.words, other.solid).placed(there)
+    return first, own, Body.of(other.words, other.solid, other.parts()).placed(there)
 
 
 def angle_of_knee(posed: Posed, side: int) -> float:

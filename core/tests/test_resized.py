@@ -50,6 +50,17 @@ def test_legs_are_longer_or_larger_from_where_they_are_attached(scale, length):
     assert 0.02 < parts.near(foot)[0, 1] < 0.09
 
 
+def test_points_of_a_part_of_another_size_go_with_it():
+    parts = KnownParts(table, FORMS, sizes={1: (1.0, 1.5)})
+    feet = torch.tensor([(x, y, -0.46) for x, y in LEGS])
+    top = torch.tensor([(0.1, 0.1, 0.16)])
+    part = torch.tensor([1, 1, 1, 1, 0])
+    found = parts.settled(torch.cat([feet, top]), part)
+    assert torch.allclose(found[4:], top, atol=0.01)
+    assert torch.allclose(found[:4, :2], feet[:, :2], atol=0.02)
+    assert (found[:4, 2] + 0.72).abs().max() < 0.03
+
+
 def test_what_holds_two_things_together_keeps_its_length():
     rod = torch.rand(2000, 3) * torch.tensor([0.1, 0.1, 1.0])
     ends = (rod[:, 2] - 0.1).minimum(0.9 - rod[:, 2])  # within another at both ends

@@ -162,7 +162,7 @@ def test_a_sheet_that_is_no_primitive_gets_thinner_and_keeps_its_outline(by):
     drawn, _ = parts.surface_of(0, exact=False)
     for ends in (drawn.amax(0) - verts.amax(0), drawn.amin(0) - verts.amin(0)):
         assert ends[:2].abs().max() < 0.02
-    assert thinned_by(parts) == pytest.approx(1 / by, rel=0.15) if by < 1 else 1.0
+    assert thinned_by(parts) == pytest.approx(1 / by, rel=0.15 * (by < 1))
 
 
 def test_what_is_stout_is_no_sheet():
@@ -173,6 +173,22 @@ def test_what_is_stout_is_no_sheet():
     (component,) = blob.components
     made = thinned_sheet(component.verts, component.faces, component.lattice, 0.4)
     assert made[0] is component.verts
+
+
+def test_points_of_the_drawn_surface_settle_on_the_thin_one():
+    q = torch.tensor([0.6, 0.5, 0.08])
+
+    def board(points):
+        off = points.abs() - q
+        return (off.clamp_min(0).norm(dim=1) + off.amax(1).clamp_max(0))[:, None]
+
+    points = torch.cat([torch.rand(200, 2) - 0.5, torch.full((200, 1), 0.08)], 1)
+    part = torch.zeros(200, dtype=torch.long)
+    for by in (1.0, 0.5):
+        parts = KnownParts(board, Forms((1.0,), ((0.0,),) * 3, slender=(by,)))
+        found = parts.settled(points, part)
+        assert torch.allclose(found[:, :2], points[:, :2], atol=0.005)
+        assert (found[:, 2] - 0.08 * by).abs().max() < 0.006
 
 
 def test_a_thinner_thing_weighs_what_is_usual():

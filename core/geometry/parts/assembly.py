@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
@@ -59,6 +59,7 @@ NEAR = 0.1  # training units
 CLEAR, BLADED = 0.06, 0.7
 ENDLESS = "wall", "blade", "pipes"  # without ends across an axis
 STRUT = 0.03  # radius, training units
+SETTLED, SETTLED_OFF = 2, 1e-3  # steps onto a surface; how far off it is still on it
 
 
 class KnownParts:
@@ -197,22 +198,60 @@ class KnownParts:
     def surface_of(self, index: int, exact: bool = True) -> Mesh:
         """A component's exact surface, or the one that is drawn."""
         component = self.components[index]
-        if exact:
-            verts, faces = self._surface(index)
-        else:
-            verts, faces = self._drawn(index, component.verts), component.faces
+        verts, faces = (
+            self._surface(index)
+            if exact
+            else self._in_size(index, component.verts, component.faces)
+        )
         return verts / verts.new_tensor(self.wider), faces
 
-    def _drawn(self, index: int, verts: Float[Tensor, "v 3"]) -> Float[Tensor, "v 3"]:
-        """A component's vertices in its own size."""
-        part = self.components[index].place.part
-        if part not in self.sizes:
-            return verts
-        if index not in self._resized:
+    def _in_size(self, index: int, verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Mesh:
+        """A component's surface in its own size."""
+        size = self._size(index)
+        return (verts if size is None else size.moved(verts)), faces
+
+    def _size(self, index: int) -> Resized | None:
+        """The change of a component's size; None where it is as it is drawn."""
+        component = self.components[index]
+        part, verts = component.place.part, component.verts
+        if part in self.sizes and index not in self._resized:
             away = self._wide(verts)
             others = [k for k in range(away.shape[1]) if k != part]
             self._resized[index] = resized(verts, away[:, others].amin(1), *self.sizes[part])
-        return self._resized[index].moved(verts)
+        return self._resized.get(index)
+
+    def settled(
+        self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]
+    ) -> Float[Tensor, "n 3"]:
+        """Points of the drawn surface, and the part of each, where the exact one is: what stands on
+        a table stands on its thin top."""
+        found, wider = points.clone(), points.new_tensor(self.wider)
+        for index, component in enumerate(self.components):
+            if (size := self._size(index)) is not None:
+                low, high = (found.new_tensor(end) for end in component.place[1:3])
+                wide = found * wider
+                here = (part == component.place.part) & ((wide > low) & (wide < high)).all(1)
+                found[here] = size.moved(wide[here]) / wider
+        if not self.is_thinner:
+            return found
+        for _ in range(SETTLED):
+            off = self._least(found)
+            here = (off.abs() > SETTLED_OFF) & (off.abs() < NEAR)
+            some, slope = found[here], torch.zeros_like(found[here])
+            for axis, step in enumerate(SETTLED_OFF * torch.eye(3).to(found)):
+                ahead, behind = self._least(some + step), self._least(some - step)
+                slope[:, axis] = (ahead - behind) / (2 * SETTLED_OFF)
+            size = slope.square().sum(1, keepdim=True).clamp_min(0.1)
+            found[here] = some - off[here, None] * slope / size
+        return found
+
+    def _least(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        return self.near(points).amin(1)
+
+    @property
+    def is_thinner(self) -> bool:
+        """Whether any component is thinner than it is drawn."""
+        return any(self.forms.thickness(one.place.part) != 1 for one in self.components)
 
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances from their exact surfaces, of points that are near these; what is
@@ -242,8 +281,7 @@ class KnownParts:
             if mirror:
                 made = mirrored_mesh(self._surface(mirror.of), mirror.axis)
             else:
-                verts, faces = exact_surface(self, component)
-                made = self._drawn(index, verts), faces
+                made = self._in_size(index, *exact_surface(self, component))
             self._surfaces[index] = made
         return self._surfaces[index]
 
@@ -254,8 +292,7 @@ class KnownParts:
             return lambda points: there(across(points, mirror.axis))
         primitive = self.components[index].primitive
         if primitive is not None:
-            self._surface(index)  # which finds its size
-            if (size := self._resized.get(index)) is None:
+            if (size := self._size(index)) is None:
                 return primitive.distance
             return lambda points: primitive.distance(size.before(points)) * size.least
         if index not in self._solids:
@@ -286,9 +323,9 @@ def assembled(
 def thinned_by(parts: KnownParts) -> float:
     """How many times as large as made, by volume, the components are as drawn: 1 where none is
     thinner."""
-    indices = range(len(parts.components))
-    if all(parts.forms.thickness(parts.components[k].place.part) == 1 for k in indices):
+    if not parts.is_thinner:
         return 1.0
+    indices = range(len(parts.components))
     drawn, made = (
         sum(signed_volume(*parts.surface_of(k, exact)) for k in indices) for exact in (False, True)
     )

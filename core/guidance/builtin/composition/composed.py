@@ -75,7 +75,7 @@ class Composed(PromptedGuidance):
         if not whole:
             return self._with(self.alone.of_object(seed))
         drawn = [thing.of_object(seed) for thing in self.things]
-        bodies = [Body.of(thing.words, thing.solid) for thing in drawn if thing.solid]
+        bodies = [Body.of(one.words, one.solid, one.parts()) for one in drawn if one.solid]
         if len(bodies) < len(drawn):  # the weights have no solids
             return self
         drawn, bodies, fits = dressed(drawn, bodies, self.relations)

@@ -9,6 +9,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
+from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.words.slots import Words
@@ -77,14 +78,15 @@ class Body:
     standing: "Body | None" = None  # before it sits, its trunk in the same place
 
     @classmethod
-    def of(cls, words: Words, solid: Solid) -> "Body":
-        """From the thing's network."""
+    def of(cls, words: Words, solid: Solid, parts: KnownParts | None = None) -> "Body":
+        """From the thing's network; ``parts``: what is made of it, which may be thinner."""
         verts, faces = (of.cpu() for of in solid.mesh)
         distances = solid.distances(verts)
         part = distances.argmin(1)
         # A part inside a face, such as a figure's eyes, has no vertex of its own.
         for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
             part[distances[:, small] < NEAR] = small
+        verts = verts if parts is None else parts.settled(verts, part)
         body = cls(words, verts, faces, part)
         size = words.size
         longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
