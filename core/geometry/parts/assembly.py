@@ -235,18 +235,19 @@ class KnownParts:
         if not self.is_thinner:
             return found
         for _ in range(SETTLED):
-            off = self._least(found)
+            off = self._off(found, part)
             here = (off.abs() > SETTLED_OFF) & (off.abs() < NEAR)
-            some, slope = found[here], torch.zeros_like(found[here])
+            some, own, slope = found[here], part[here], torch.zeros_like(found[here])
             for axis, step in enumerate(SETTLED_OFF * torch.eye(3).to(found)):
-                ahead, behind = self._least(some + step), self._least(some - step)
+                ahead, behind = self._off(some + step, own), self._off(some - step, own)
                 slope[:, axis] = (ahead - behind) / (2 * SETTLED_OFF)
             size = slope.square().sum(1, keepdim=True).clamp_min(0.1)
             found[here] = some - off[here, None] * slope / size
         return found
 
-    def _least(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
-        return self.near(points).amin(1)
+    def _off(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
+        """The distance of each point from the exact surface of its part."""
+        return self.near(points).gather(1, part[:, None])[:, 0]
 
     @property
     def is_thinner(self) -> bool:
