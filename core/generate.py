@@ -6,7 +6,7 @@ middle of the stage where it stopped.
 
 import math
 import warnings
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import torch
@@ -21,8 +21,6 @@ from core.device import device_of
 from core.errors import Paused, UserError
 from core.geometry.guide import kept
 from core.geometry.mesh import Mesh, normalise, turned
-from core.geometry.parts.assembly import KnownParts, thinned_by
-from core.guidance.builtin.physical import usual_of
 from core.guidance.builtin.words.part_words import of_whole
 from core.guidance.guidance import PromptedGuidance, PromptWarning
 from core.guidance.load import make_guidance
@@ -32,7 +30,7 @@ from core.io.mesh_file import Needed, load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import config_of, local_ranges, within
-from core.provenance import made_by, recorded
+from core.provenance import info_of
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
 from core.stages.distill import require_groups
@@ -202,8 +200,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = place(verts, size_of(run, verts)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
     picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
-    drawn = None if inputs.shape or learns(inputs.config.geometry) else guidance.parts()
-    return write_asset(run.asset, placed, maps, info_of(job, run, drawn), picture)
+    info = info_of(job, run.timings, guidance.parts())
+    return write_asset(run.asset, placed, maps, info, picture)
 
 
 def reshaped_mesh(run: RunFolder, inputs: Inputs, progress: Progress) -> Mesh:
@@ -233,7 +231,7 @@ def reshaped_asset(run: RunFolder, inputs: Inputs) -> Path:
     seen = UvMesh.of(replace(mesh, verts=normalise(mesh.verts)[0])).to(inputs.device)
     kept = region.kept
     picture = picture_of(maps_source(kept), seen, light, PREVIEW_SIZE, emission_source(kept))
-    return write_asset(run.asset, mesh, region.kept, info_of(run.job, run), picture)
+    return write_asset(run.asset, mesh, region.kept, info_of(run.job, run.timings), picture)
 
 
 def of_seed(inputs: Inputs, job: Job) -> Inputs:
@@ -389,14 +387,3 @@ def views_of(config: Config) -> dict[str, int]:
             if one.rounds * one.steps:
                 views |= {f"{stage}.{name}.{of}": getattr(one, of) for of in ("batch", "views")}
     return views
-
-
-def info_of(job: Job, run: RunFolder, drawn: KnownParts | None = None) -> dict:
-    """The facts in asset.json about the origin; ``drawn``: the parts that the shape is made of."""
-    names = ("prompt", "negative_prompt", "seed", "preset", "guidance", "command", "light")
-    words = {key: value for key, value in asdict(job).items() if key in names}
-    timings = {stage: round(seconds, 2) for stage, seconds in run.timings.items()}
-    _, density = usual_of(job.prompt)
-    density *= thinned_by(drawn) if drawn else 1.0  # the usual mass is of what is drawn
-    origin = {"job": recorded(job), "made_by": made_by(job)}
-    return words | origin | {"density": density, "timings": timings, "distribution": "GGX"}

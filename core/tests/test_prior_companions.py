@@ -268,7 +268,7 @@ def test_a_negative_prompt_has_none():
 
 
 def test_the_report_has_each_with_its_looks():
-    found = understood("a white rabbit on a red wooden chair with golden legs")
+    found = understood("a white rabbit on a red wooden chair with long golden legs")
     assert (found["thing"], found["colours"], found["materials"]) == ("rabbit", ["white"], [])
     assert found["companions"] == [
         {
@@ -277,6 +277,7 @@ def test_the_report_has_each_with_its_looks():
             "count": 1,
             "order": "row",
             "colours": ["red"],
+            "part_sizes": {"legs": "long"},
             "part_colours": {},
             "materials": ["wooden"],
             "part_materials": {"legs": "golden"},

@@ -6,9 +6,11 @@ from typing import Any
 import pytest
 
 from core.errors import UserError
+from core.geometry.mesh import signed_volume
 from core.guidance.builtin.offered import WEIGHTS
 from core.io.job import Job
-from core.provenance import made_by, recorded
+from core.provenance import info_of, made_by, recorded
+from core.tests.drawn_things import shipped_prior
 from core.verify import _job as job_to_verify
 
 
@@ -20,6 +22,18 @@ def test_every_network_that_ships_is_named_by_its_hash() -> None:
 
 def test_of_another_model_the_shipped_networks_are_not_named() -> None:
     assert made_by(Job(prompt="a chair", guidance="/models/dream.safetensors"))["weights"] == {}
+
+
+def test_the_density_is_larger_by_what_the_volume_lost() -> None:
+    job = Job(prompt="a ladder", seed=1)
+    parts = shipped_prior().prompted(job.prompt, "").of_object(job.seed).parts()
+    assert parts is not None
+    drawn = sum(signed_volume(*parts.surface_of(k, False)) for k in range(len(parts.components)))
+    made = sum(signed_volume(*parts.surface_of(k)) for k in range(len(parts.components)))
+    plain, thin = (info_of(job, {"bake": 1.234}, one) for one in (None, parts))
+    assert drawn > 1.3 * made
+    assert thin["density"] * made == pytest.approx(plain["density"] * drawn, rel=1e-3)
+    assert thin["timings"] == {"bake": 1.23}
 
 
 def asset_of(job: Job, folder: Path) -> tuple[Path, dict[str, Any]]:

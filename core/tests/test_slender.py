@@ -10,9 +10,9 @@ import torch
 from core.geometry.mesh import NORMAL_RADIUS, face_areas
 from core.geometry.parts.assembly import KnownParts, assembled, thinned_by
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.primitives import Primitive, packed, packed_along, unpacked
+from core.geometry.parts.primitives import FORMS, Primitive, packed, packed_along, unpacked
 from core.geometry.parts.sheets import thinned_sheet
-from core.geometry.parts.slender import thinned
+from core.geometry.parts.slender import THINNED, thinned
 from core.geometry.tet_grid import EXTENT
 from core.geometry.union import is_solid
 from core.guidance.builtin.bent import BentSolid, in_box
@@ -221,6 +221,10 @@ def test_what_has_no_thin_direction_stays(form, lengths):
 
 def volume(verts, faces) -> float:
     return float(torch.linalg.det(verts[faces].double()).sum() / 6)
+
+
+def test_each_form_can_be_thinner():
+    assert set(THINNED) == set(FORMS) == {form for form, *_ in THIN} | {"pipes"}
 
 
 @pytest.mark.parametrize(("form", "lengths", "size"), THIN)

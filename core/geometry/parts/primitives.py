@@ -35,23 +35,23 @@ FRAMES = tuple(np.roll(np.eye(3), k, 1) for k in range(3))
 
 def ellipsoid(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
     """To first order."""
-    return distances.ellipsoid(_packed(p), _packed(radii))
+    return distances.ellipsoid(_contiguous(p), _contiguous(radii))
 
 
 def box(p: Points, half: Lengths) -> Float[np.ndarray, " n"]:
     """Half sizes, and the radius of the edges."""
-    return distances.box(_packed(p), _packed(half))
+    return distances.box(_contiguous(p), _contiguous(half))
 
 
 def frustum(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     """A cone without its tip, or a cylinder: half its height, the radii below and above, and the
     radius of the rims."""
-    return distances.frustum(_packed(p), _packed(lengths))
+    return distances.frustum(_contiguous(p), _contiguous(lengths))
 
 
 def capsule(p: Points, lengths: Lengths) -> Float[np.ndarray, " n"]:
     """The hull of two balls: half the distance of their middles, the radii below and above."""
-    return distances.capsule(_packed(p), _packed(lengths))
+    return distances.capsule(_contiguous(p), _contiguous(lengths))
 
 
 def ring(p: Points, radii: Lengths) -> Float[np.ndarray, " n"]:
@@ -116,10 +116,10 @@ def sides_of(loops: Sequence[Loop]) -> tuple[Loop, Loop]:
 
 def _within(p: Float[np.ndarray, "n 2"], start: Loop, end: Loop) -> Float[np.ndarray, " n"]:
     """Signed distance from an outline of such sides, negative inside."""
-    return distances.outline(_packed(p), _packed(start), _packed(end))
+    return distances.outline(_contiguous(p), _contiguous(start), _contiguous(end))
 
 
-def _packed(x: np.ndarray) -> np.ndarray:
+def _contiguous(x: np.ndarray) -> np.ndarray:
     """As the compiled loops take it."""
     return np.ascontiguousarray(x, dtype=float)
 

@@ -28,17 +28,13 @@ def thinned(one: Primitive, by: float) -> Primitive:
     """The primitive with what is thin of it ``by`` times as thick, about its middle."""
     if by == 1.0:
         return one
-    center, lengths = THINNED.get(one.form, _as_it_is)(one.lengths, by)
+    center, lengths = THINNED[one.form](one.lengths, by)
     return one._replace(center=one.center + one.frame @ center, lengths=lengths)
 
 
 # How far the middle moves, and the lengths.
 Thinned = tuple[Float[np.ndarray, " 3"], Float[np.ndarray, " _n"]]
 MIDDLE = np.zeros(3)
-
-
-def _as_it_is(lengths: Lengths, _by: float) -> Thinned:
-    return MIDDLE, lengths
 
 
 def _capsule(lengths: Lengths, by: float) -> Thinned:

@@ -37,7 +37,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -139,11 +139,12 @@ class PromptedBuiltin(PromptedGuidance):
         words: Words,
         negative: Words,
         solid: Solid | None = None,
+        whole: bool = True,
     ) -> None:
-        """``solid``: the drawn object, with known parts."""
+        """``solid``: the drawn object, with known parts; ``whole``: of which it is put together."""
         super().__init__(guidance)
         self.builtin, self.words, self.negative, self.solid = guidance, words, negative, solid
-        self.painted = solid and PaintedSolid(words, solid)
+        self.painted = solid and PaintedSolid(words, solid, whole)
 
     def ranges(self) -> MaterialRanges:
         """The roughness and metallic that the words' parts are painted with, and a little around.
@@ -166,7 +167,6 @@ class PromptedBuiltin(PromptedGuidance):
 
     def of_object(self, seed: int, whole: bool = True) -> "PromptedBuiltin":
         """An object drawn by the solids' network, then stretched for the shape's adjective."""
-        del whole
         net, words = self.builtin.solid, self.words
         if net is None or not words.noun:
             return self
@@ -181,8 +181,8 @@ class PromptedBuiltin(PromptedGuidance):
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
         solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
-        made = PaintedSolid(words, solid).fitting()
-        return PromptedBuiltin(self.builtin, words, self.negative, made.solid)
+        solid = PaintedSolid(words, solid, whole).fitting().solid
+        return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
         """The same with another solid, such as a shirt cut to its wearer."""
@@ -194,7 +194,7 @@ class PromptedBuiltin(PromptedGuidance):
         if solid is None or parts is None:
             return self
         made = bent(solid, parts.forms.flat, guide, strength, least)
-        return PromptedBuiltin(self.builtin, self.words, self.negative, made)
+        return PromptedBuiltin(self.builtin, self.words, self.negative, made, whole=False)
 
     def start_shape(self) -> Shape | None:
         """The drawn solid."""
@@ -211,9 +211,10 @@ class PromptedBuiltin(PromptedGuidance):
 
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that is left out (on the user's mesh, on a distilled shape, or
-        without room on the thing), and on each part that stays."""
+        without room on the thing), on each part that stays, and on each that keeps its size."""
         if self.painted is None:
-            return tuple(f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
+            notes = (f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
+            return (*notes, *unsized(self.words))
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

@@ -1,7 +1,7 @@
 """A drawn solid as it is painted: its parts, their markings, and the prompt's emblems on it."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 
 import torch
@@ -40,6 +40,7 @@ SOFT = 0.01  # flat fraction of a part's surface where it is not known
 EVEN = 0.02  # tolerance of the scales along two axes for a circle to stay one
 LONG = 4  # digits: a number by nature has fewer
 BEARS = "it stays, as markings are on it."
+UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
 NO_ROOM = "left out, as the thing has no room for it."
 
 
@@ -51,8 +52,10 @@ def product(factors: Mapping[str, float], words: Iterable[str]) -> float:
 class PaintedSolid:
     """One object of the words."""
 
-    def __init__(self, words: Words, solid: Solid) -> None:
-        self.words, self.solid = words, solid
+    def __init__(self, words: Words, solid: Solid, whole: bool = True) -> None:
+        """``whole``: it is put together of its parts, so that these may be thinner or of another
+        size than they are drawn."""
+        self.words, self.solid, self.whole = words, solid, whole
         self.paints = list(painted(words.noun, words))
 
     @cached_property
@@ -72,9 +75,9 @@ class PaintedSolid:
         corners = CORNERED.get(solid_of(noun), ())
         cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
         names = list(looks(noun))
-        own = {} if is_guided else dict(self.words.part_sizes)
+        own = dict(self.words.part_sizes) if self.whole else {}
         sizes = [own.get(name, "").split() for name in names]
-        slender = [1.0] * len(names) if is_guided else slender_parts(noun, names)
+        slender = slender_parts(noun, names) if self.whole else [1.0] * len(names)
         each = zip(slender, sizes, strict=True)
         thick = [by * product(PART_WIDTHS, words) for by, words in each]
         stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
@@ -179,10 +182,21 @@ class PaintedSolid:
         return found
 
     def left_out(self) -> tuple[str, ...]:
-        """A note on each emblem without room on the thing, and on each part that stays."""
+        """A note on each emblem without room on the thing, on each part that stays, and on each
+        part that keeps its size."""
         stay = (part for part in self.words.absent if bears(self.words, part))
         no_room = (one.emblem for one in self.emblems if not one.has_place)
-        return (*(f"no {part}: {BEARS}" for part in stay), *(f"{e}: {NO_ROOM}" for e in no_room))
+        drawn = self.whole and not isinstance(self.solid, Garment)
+        return (
+            *(f"no {part}: {BEARS}" for part in stay),
+            *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
+            *(() if drawn else unsized(self.words)),
+        )
+
+
+def unsized(words: Words) -> Iterator[str]:
+    """A note on each part whose size is left out."""
+    return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
 
 
 def bears(words: Words, part: str) -> bool:

@@ -73,7 +73,7 @@ class Composed(PromptedGuidance):
     def of_object(self, seed: int, whole: bool = True) -> "Composed":
         """All things drawn and put together; the first alone where not ``whole``."""
         if not whole:
-            return self._with(self.alone.of_object(seed))
+            return self._with(self.alone.of_object(seed, whole))
         drawn = [thing.of_object(seed) for thing in self.things]
         bodies = [Body.of(one.words, one.solid, one.parts()) for one in drawn if one.solid]
         if len(bodies) < len(drawn):  # the weights have no solids
