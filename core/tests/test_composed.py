@@ -122,8 +122,9 @@ def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone()
         (note,) = one.left_out()
         assert note.startswith("crown: left out")
         assert one.size_m() is None
-    wizard = shipped_prior().prompted("a wizard", "").of_object(0)
+    wizard = shipped_prior().prompted("a wizard", "").of_object(0, whole=False)
     assert alone.parts().forms == wizard.parts().forms
+    assert set(wizard.parts().forms.slender) == {1.0}  # nor is its staff made thinner
     assert alone.alone.words.absent == ()  # it has its hat
     whole = prompted.of_object(0)
     assert whole.left_out() == () and whole.made.things[0].words.absent == ("hat",)
