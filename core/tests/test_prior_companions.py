@@ -256,8 +256,8 @@ def test_what_a_statue_rides_is_of_its_material():
 
 
 def test_the_notes_and_what_is_left_out_of_both_are_the_first_things():
-    words = parse("a zoomed out photo of a dog wearing a large sparkly beret")
-    assert words.left_out == ("zoomed", "sparkly")
+    words = parse("a zoomed out photo of a spooky dog wearing a large sparkly beret")
+    assert words.left_out == ("spooky", "sparkly")
     assert "beret: made as a beanie." in words.notes
     assert "large: the beanie is made 1.5 times its usual size." in words.notes
     assert words.usual() == parse("a dog").usual()

@@ -158,6 +158,10 @@ def test_what_with_says_of_who_has_it(prompt, thing, others):
         ("a wooden ship worn by the sea", "cargo ship", []),
         ("a castle with a dragon ridden by a knight", "castle", []),
         ("dinosaur drive a car", "dinosaur", ["on car"]),
+        ("a lamp stands on a wooden table", "lamp", ["on wooden table"]),
+        ("a sandwich sits next to a thermos", "sandwich", ["beside bottle"]),
+        ("an axe rests quietly in a stump", "axe", ["in stump"]),
+        ("two night stands on a rug", "nightstand", ["on rug"]),
         ("my dog is a brown poodle with a red sweater", "poodle", ["wears red shirt"]),
     ],
 )

@@ -3,10 +3,11 @@
 "The seat is red, a chair" is a chair, "a house for birds" a bird house. Standard library only.
 """
 
+import re
 from itertools import takewhile
 
 from core.guidance.builtin.words.findings import with_article
-from core.guidance.builtin.words.lexicon import corrected, look_up
+from core.guidance.builtin.words.lexicon import SLOTS, corrected, look_up
 from core.guidance.builtin.words.look_order import STRANGE, looks_end
 from core.guidance.builtin.words.part_names import is_own, owns
 from core.guidance.builtin.words.part_tables import WITH_PARTS
@@ -33,11 +34,16 @@ MADE_OF = [way.split() for way in ("made of", "made from", "made out of")]
 SHAPED_LIKE = [
     way.split() for way in ("shaped like, in the shape of, in the form of, in shape of").split(", ")
 ]
+# How a word ends that says what something is like.
+ADJECTIVE = re.compile(
+    "[a-z]{2,}(?:ant|ent|y|ic|al|ive|able|ible|ful|ous|less|ish|ed|ing|some|ern|ine)"
+)
 APART = 4  # words within a name, at most: "a stack of dusty old leather books"
 
 
 def set_names_in_order(tokens: Tokens) -> None:
     """Reorder the words where the thing comes late, or its name is split."""
+    _join_adjectives(tokens)
     _take_its_shape(tokens)
     _take_owners_first(tokens)
     _take_the_thing_first(tokens)
@@ -50,6 +56,28 @@ def set_names_in_order(tokens: Tokens) -> None:
     _join_split_names(tokens)
     _set_qualifiers_first(tokens)
     _take_what_has_the_part(tokens)
+
+
+def _join_adjectives(tokens: Tokens) -> None:
+    """ "A vibrant, handwoven rug" is a vibrant handwoven rug."""
+    if tokens.words[:1] not in [[article] for article in ARTICLES]:
+        return
+    while end := min((k for k in tokens.breaks if k > 1), default=0):
+        more = list(takewhile(lambda word: word not in PHRASE_ENDS, tokens.words[end:]))
+        named = any(map(tokens.has_thing, range(end, end + len(more))))
+        before = tokens.words[1:end]
+        if end >= len(tokens.words) or not named or not all(map(_is_adjective, before)):
+            return
+        if all(map(tokens.entry, before)):  # "a red, shiny car"
+            return
+        tokens.breaks.discard(end)
+
+
+def _is_adjective(word: str) -> bool:
+    """Whether it says what something is like, known or not, as far as its end tells."""
+    entry = look_up(word, SLOTS)
+    known = entry.slot in (*LOOKS, "weather") if entry else word in IGNORED_ADJECTIVES | FILLER
+    return known or (entry is None and ADJECTIVE.fullmatch(word) is not None)
 
 
 def _take_its_shape(tokens: Tokens) -> None:

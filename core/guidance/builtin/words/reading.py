@@ -51,6 +51,7 @@ from core.guidance.builtin.words.words import (
     IGNORED_ADJECTIVES,
     LOOKS,
     OF_ANOTHER,
+    OF_PICTURES,
     PART_SIZES,
     PHRASE_ENDS,
     PLAIN,
@@ -138,7 +139,7 @@ class Reading(Stature):
             if phrase in TOYS and self._accessory is None:  # not "a child with a toy"
                 self._take_toy(phrase)
                 return count
-            if count > 1 and phrase in HOW_MADE:
+            if count > 1 and (phrase in HOW_MADE or phrase in OF_PICTURES):
                 return count
             if count > 1 and phrase in IGNORED_ADJECTIVES:
                 self.got.left_out.append(phrase)

@@ -29,7 +29,8 @@ from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name, owns
-from core.guidance.builtin.words.passives import made_active
+from core.guidance.builtin.words.passives import as_phrase, made_active
+from core.guidance.builtin.words.pictures import of_no_picture
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
@@ -57,7 +58,11 @@ LOOKS_LIKE = re.compile(
     r"in the (?:shape|form) of) (?=(?:an?|the) )",
     re.IGNORECASE,
 )
-NEXT_TO = re.compile(rf" (?:(?:standing|sitting) )?(?:next to|beside){_ANOTHER}", re.IGNORECASE)
+NEXT_TO = re.compile(
+    r" (?:(?:standing|sitting|lying|resting|placed|parked) )?"
+    rf"(?:right )?(?:next to|beside){_ANOTHER}",
+    re.IGNORECASE,
+)
 SUITS = re.compile(r"\b(?:suit|tuxedo)\b", re.IGNORECASE)
 SHAPED = tuple(f": made {shape}." for shape in SHAPES)
 ITS_SIZE = ("times its usual size.", "the size of a grown one.")
@@ -139,7 +144,7 @@ def parse(
     unless ``noun_needed`` is false (a negative prompt).
     """
     prompt = (
-        made_active(MINE.sub("", asked_for(W_SLASH.sub("with ", prompt))))
+        made_active(as_phrase(MINE.sub("", of_no_picture(asked_for(W_SLASH.sub("with ", prompt))))))
         if noun_needed
         else prompt
     )

@@ -103,6 +103,8 @@ SHEENS = {
     "glazed, shining, sleek, mirror polished, lacquer",
     "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
+# These are said of what gives light and of what burns by itself too.
+LIT, ALIGHT = "lit", frozenset("burning flaming blazing alight ablaze".split())
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded, tabby, brindle, tiger stripe, tiger striped, "
     "zebra stripe, zebra striped, candy striped, pinstripe, pinstriped",
@@ -146,7 +148,7 @@ STRIPED_PARTS |= {"cement mixer": "drum", "american football": "ball"}
 GEMS = {"emerald": "green", "ruby": "red", "sapphire": "blue", "diamond": "white"}
 GEMS |= {"amethyst": "purple", "topaz": "yellow", "onyx": "black"}
 # Materials that are also things: "a table with a white cloth".
-COUNTED = ("cloth", "glass")
+COUNTED = ("cloth", "glass", "straw", "canvas")
 # Words for the place of something else: "a cottage by a lake".
 PLACES = frozenset(
     """by at near beside behind under inside above against between over through along across around
@@ -167,6 +169,18 @@ FILLER = PLACES | frozenset(
     make create generate give show draw build design lol idk omg btw tho kinda smth something just
     only really number also thats all too so any yet other nothing else lowkey quite actually
     basically literally together kind sort type version""".split()
+)
+# Words about a picture, without meaning for the thing itself.
+FILLER |= frozenset(
+    """hyperrealistic photoreal masterpiece pbr octane unreal isometric cinematic ultra macro
+    archviz closeup uhd bokeh zoomed resolution textures centered centred orthographic""".split()
+)
+# Praise: nothing that one could miss in the result.
+FILLER |= frozenset(
+    """adorable delicious tasty yummy majestic gorgeous stunning amazing awesome epic magnificent
+    wonderful charming fabulous fantastic incredible breathtaking exquisite splendid perfect superb
+    delightful impressive glorious cutest coolest prettiest best ever extremely incredibly insanely
+    favorite favourite""".split()
 )
 # Abbreviations.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
@@ -210,53 +224,36 @@ COUNTS = frozenset(
     multiple various set pile heap stack group row collection pack bundle cluster clump
     assortment""".split()
 )
-# Requests for the picture or the mesh, without effect on a shape and its materials.
-STYLES = frozenset(
-    """hyperrealistic photoreal intricate masterpiece pbr voxel toon anime octane unreal isometric
-    cinematic ultra zoomed vivid macro archviz""".split()
-) | {
-    *(
-        "low poly",
-        "high poly",
-        "low detail",
-        "high detail",
-        "low res",
-        "high res",
-        "low quality",
-        "low resolution",
-        "pixel art",
-        "voxel art",
-        "concept art",
-        "digital art",
-    ),
+# Requests for the style of the mesh, without effect on a shape and its materials.
+STYLES = frozenset("intricate voxel toon anime vivid".split()) | {
+    *("low poly", "high poly", "low detail", "low res", "low quality", "low resolution"),
+    *("pixel art", "voxel art"),
     *("pastel colors", "pastel colours", "soft colors", "soft colours", "bright colors"),
-    *("bright colours", "vibrant colors", "vibrant colours"),
-    *("product render", "product photo", "product photography", "product design", "studio shot"),
-    *("octane render", "blender render", "cycles render", "unreal engine", "unreal engine 5"),
-    *("ray traced", "ray tracing", "trending on artstation", "best quality", "depth of field"),
-    *("white background", "black background", "plain background", "transparent background"),
-    *(
-        "t pose",
-        "a pose",
-        "full body",
-        "close up",
-        "vivid colors",
-        "vivid colours",
-        *("flat shading", "flat shaded", "smooth shaded", "cel shaded", "cel shading"),
-        *("clay render", "matcap", "hard surface", "soft shading"),
-        "front view",
-        "side view",
-        "top view",
-        *("aerial view", "aerial shot", "bird eye view", "birds eye view", "top down view"),
-        *("top down", "wide shot", "product shot", "hero shot", "close up shot", "close up view"),
-        "cinematic lighting",
-    ),
+    *("bright colours", "vibrant colors", "vibrant colours", "vivid colors", "vivid colours"),
+    *("t pose", "a pose", "full body", "top down", "product design"),
+    *("flat shading", "flat shaded", "smooth shaded", "cel shaded", "cel shading"),
+    *("clay render", "matcap", "hard surface", "soft shading"),
 }
+# Phrases about a picture of the thing, without meaning for the thing itself.
+OF_PICTURES = frozenset(
+    (
+        "high detail, high res, high resolution, high quality, best quality, concept art, "
+        "digital art, "
+        "product render, product photo, product photography, studio shot, octane render, "
+        "blender render, cycles render, blender 3d, unreal engine, unreal engine 5, ray traced, "
+        "ray tracing, trending on artstation, depth of field, white background, "
+        "black background, plain background, transparent background, zoomed out, zoomed in, "
+        "close up, close up shot, close up view, wide angle, wide shot, product shot, hero shot, "
+        "front view, side view, top view, aerial view, aerial shot, bird eye view, "
+        "birds eye view, top down view, cinematic lighting, studio lighting, game ready, "
+        "well lit"
+    ).split(", ")
+)
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
     """vintage retro medieval victorian baroque ornate
     cozy cosy comfy comfortable soft sturdy heavy clean
-    fresh ripe juicy tasty delicious funny happy jolly friendly sweet scary magic magical
+    fresh ripe juicy funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     handmade decorated evil miniature empty full racing sunburst
     facade entrance interior exterior wreck wreckage ruin ruins remains
@@ -268,7 +265,8 @@ IGNORED_ADJECTIVES = frozenset(
     solid premium mockup icon emoji exotic rugged ergonomic wireless portable foldable folding
     inflatable adjustable lightweight waterproof electronic digital analog analogue automatic
     industrial commercial gooseneck curly wavy spiky pointy bumpy fuzzy puffy bushy frilly smug
-    grumpy sleepy sad shy proud brave clever silly goofy derpy wacky quirky lazy hungry
+    dwarven smooth rough lush dense sharp grumpy sleepy sad shy proud brave clever silly goofy
+    derpy wacky quirky lazy hungry
     spanish french italian german english british american japanese chinese korean indian mexican
     greek roman egyptian turkish moroccan russian dutch swedish scandinavian nordic persian arabic
     african european asian""".split()
@@ -328,6 +326,7 @@ PART_WIDTHS |= dict.fromkeys(("thin", "slim", "slender", "narrow"), 0.6)
 PART_SIZES = {*PART_SCALES, *PART_LENGTHS, *PART_WIDTHS}
 # Depictions: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
+BUSTS = ("bust", "head bust")  # of somebody a thing by itself; of an animal all of it is made
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
 SMALL_FIGURES = ("action figure", "toy figure", "vinyl figure")
 DEPICTIONS = (*STATUES, *PLUSHIES, *SMALL_FIGURES, "figure", "doll", "character")
