@@ -186,8 +186,50 @@ def test_what_is_strange_about_a_known_thing_is_left_out(prompt, noun, left_out)
 def test_two_without_an_article_are_made_side_by_side():
     assert read("a sword and shield") == ("sword", ["beside shield"])
     assert read("bacon and eggs") == ("bacon", ["beside egg"])
+    assert read("a desk and chair from a school") == ("desk", ["beside chair"])
     with pytest.raises(UserError, match="one thing"):
         parse("a ham and cheese sandwich")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "first", "other"),
+    [
+        ("a wooden desk and chair", "wooden desk", "wooden chair"),
+        ("a white teapot and cup", "white teapot", "white mug"),
+        ("a wooden desk and red chair", "wooden desk", "red chair"),
+        ("a wooden desk and a chair", "wooden desk", "chair"),
+        ("a red apple and banana", "red apple", "banana"),  # which has a colour of its own
+        ("a crow and cat", "black bird", "cat"),  # nobody says black
+    ],
+)
+def test_what_is_said_before_two_is_said_of_both(prompt, first, other):
+    words = parse(prompt)
+    assert (str(words), [str(one.words) for one in words.companions]) == (first, [other])
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "others"),
+    [
+        ("a plush toy of a corgi nurse", "plush corgi", ["wears white fabric jacket"]),
+        ("a plushie of a panda doctor", "plush panda", ["wears white fabric jacket"]),
+        ("a sculpture of a corgi pirate", "stone corgi", ["wears stone pirate hat"]),
+        ("a golden statue of a pirate king", "golden king", ["wears golden pirate hat"]),
+        (
+            "a statue of a cat wizard",
+            "stone cat",
+            ["wears stone wizard hat", "wears stone cape"],
+        ),
+        ("a statue of a farmer", "stone person", ["wears stone cowboy hat", "holds stone rake"]),
+        ("a statue of a king penguin", "stone penguin", []),
+        ("a statue of a robot dog", "metal dog", []),
+    ],
+)
+def test_whoever_is_depicted_has_a_role_too(prompt, thing, others):
+    words = parse(prompt)
+    # A soft toy is of fabric.
+    assert str(words) == thing.replace("plush", "fabric")
+    assert [f"{one.relation} {one.words}" for one in words.companions] == others
+    assert any(note.endswith(f": made as a {words.noun}.") for note in words.notes)
 
 
 def test_a_suit_is_no_robe_besides():

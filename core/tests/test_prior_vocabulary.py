@@ -116,7 +116,9 @@ def test_two_colours_are_a_pattern_or_belong_to_parts(prompt, words):
         ),
         ("a statue", Words("bust")),
         ("a statue holding a sword", Words("bust")),
-        ("a bust of a cat", Words("bust")),
+        ("a bust of a king", Words("bust")),
+        ("a bust of a cat", Words("cat", material="stone", is_statue=True)),
+        ("a bronze lion bust", Words("lion", material="copper", is_statue=True)),
     ],
 )
 def test_what_is_depicted_is_made_and_not_the_statue(prompt, words):

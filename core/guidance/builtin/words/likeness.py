@@ -19,6 +19,7 @@ from core.guidance.builtin.words.words import (
     AGES,
     ALSO_OF_FUR,
     AS_MATERIAL,
+    BUSTS,
     CARVED,
     CAST,
     COLORED,
@@ -54,11 +55,14 @@ class Likeness(Clauses):
         if len(nouns) != 1 or nouns[0].word == entry.word:
             return False
         before = nouns[0]
-        if before.form in DEPICTIONS and self._accessory is not None and self._ended_by == "of":
+        depictions = (
+            (*DEPICTIONS, *BUSTS) if is_animal(entry.word) or is_animal(before.word) else DEPICTIONS
+        )
+        if before.form in depictions and self._accessory is not None and self._ended_by == "of":
             nouns[:] = [entry]
             self._accessory = None
             thing, depiction = entry, before
-        elif entry.form in DEPICTIONS and self._noun_end >= 0:
+        elif entry.form in depictions and self._noun_end >= 0:
             thing, depiction = before, entry
         else:
             return False
@@ -69,8 +73,15 @@ class Likeness(Clauses):
     def _depict(self, form: str) -> bool:
         """Make the thing a statue, a soft toy or similar; whether that states its material."""
         self._depicted = form
-        self.got.is_statue = form in STATUES
+        self.got.is_statue = form in (*STATUES, *BUSTS)
         return form in (*STATUES, *PLUSHIES)
+
+    def _depicts_not(self, former: str, noun: str) -> None:
+        """Correct the note: the depicted thing is a later noun."""
+        said, meant = (
+            f"{self._depicted}: made as {with_article('noun', one)}." for one in (former, noun)
+        )
+        self.got.notes = [meant if note == said else note for note in self.got.notes]
 
     def _take_block(self, material: Entry, end: int) -> None:
         """Take the stated material of the whole thing, not only of its coat: "a slate blue horse",

@@ -275,6 +275,8 @@ class Reading(Stature):
             return
         slot, word = entry.slot, entry.word
         if slot == "noun" and self._is_depicted(entry):
+            if self._tokens.has_thing(end) and end not in self._tokens.breaks:
+                self._noun_end = end  # "a statue of a robot dog"
             return
         if word == "glowing" and start == self._aside_end:  # "with a candle glowing inside"
             self.got.left_out.append(entry.form)
@@ -419,7 +421,10 @@ class Reading(Stature):
         # Also of "a viking round shield".
         follows = self._noun_end >= 0 and behind in (start, self._tokens.qualities_begin(start))
         if follows and self.got.found["noun"][-1].word != noun.word:
-            form = self.got.found["noun"].pop().form
+            former = self.got.found["noun"].pop()
+            form = former.form
+            if self._depicted:  # "a statue of a robot dog"
+                self._depicts_not(former.word, noun.word)
             if form in GEMS:  # "a ruby heart"; of "a ruby ring" the gem is
                 self.got.found["color"].append(Entry("color", GEMS[form], form))
             elif form in PLUSHIES and is_creature(noun.word):

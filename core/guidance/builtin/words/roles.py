@@ -35,6 +35,8 @@ _DRESSED = re.compile(
     re.IGNORECASE,
 )
 
+_OF = re.compile(r" (?:of|depicting) ", re.IGNORECASE)
+
 
 class Name(NamedTuple):
     """The meaning of one or a few words of a prompt."""
@@ -55,10 +57,20 @@ def undisguised(prompt: str) -> tuple[str, tuple[str, ...]]:
         if not quoted and is_dressed(named_in(prompt[: match.start()])):
             role = (match["as"] or match["in"] or match["so"]).lower()
             return f"{prompt[: match.start()].rstrip()}{prompt[match.end() :]}", ROLES[role]
-    names = list(first_names(prompt))
+    names = _depicted(prompt, list(first_names(prompt)))
     if len(names) == 1 and names[0].noun == PERSON:  # "a farmer"
         return prompt, ROLES.get(names[0].text, ())
     return _in_role(prompt, *names) if len(names) == 2 else (prompt, ())
+
+
+def _depicted(prompt: str, names: list[Name]) -> list[Name]:
+    """The names of the depicted thing instead of the depiction's: "a plush toy of a corgi nurse"."""
+    if len(names) != 1 or names[0].text not in DEPICTED:
+        return names
+    of = _OF.match(prompt, names[0].end)
+    begin = of.end() if of else len(prompt)
+    behind = list(first_names(prompt[begin:]))
+    return [one._replace(start=begin + one.start, end=begin + one.end) for one in behind] or names
 
 
 def _in_role(prompt: str, first: Name, last: Name) -> tuple[str, tuple[str, ...]]:

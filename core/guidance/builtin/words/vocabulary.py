@@ -16,11 +16,12 @@ from functools import cache
 from typing import Any
 
 from core.errors import UserError
+from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.asking import asked_for
 from core.guidance.builtin.words.companion_fit import Found, Read
-from core.guidance.builtin.words.companion_openers import is_doing
+from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.emblems import emblems_in, plural
@@ -43,7 +44,7 @@ from core.guidance.builtin.words.reading import Reading
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Companion, Words
 from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.words import GLASSWARE, PLAIN, SHAPES, WEATHERS
+from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, SHAPES, WEATHERS
 
 W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"
@@ -51,6 +52,9 @@ DENIM_BLUE = "denim blue"
 MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
 AND = re.compile(rf",? (?:and|with){_ANOTHER}", re.IGNORECASE)
+COMES_FROM = ("from", "for", "at", "by")
+ARTICLE = re.compile(r"\s*(?:an?|the|my|one) ", re.IGNORECASE)
+NATURAL = ("Food", "Fruit and Vegetables", "Plants", "Animals", "Wild Animals")  # of own colours
 BARE_AND = re.compile(r" and ", re.IGNORECASE)  # "bacon and eggs"
 # "A phone stand shaped like an octopus"
 LOOKS_LIKE = re.compile(
@@ -184,6 +188,8 @@ def _side_by_side(
         whole = len(first.companions) < MOST and not other.companions
         whole &= joins is not BARE_AND or _is_one_name(phrase)
         if whole and first.noun != other.noun:
+            if joins is BARE_AND:
+                other = _with_shared_look(first, prompt[: joined.start()], phrase, other)
             pair = _together(first, [Found("beside", phrase, other)])
             return replace(pair, companions=(*first.companions, *pair.companions))
     return None
@@ -208,7 +214,18 @@ def _is_one_name(phrase: str) -> bool:
     """Whether it ends with one thing's name, or with what that does: no "cheese sandwich"."""
     names = list(first_names(phrase))
     behind = phrase[names[0].end :].split() if names else []
-    return len(names) == 1 and (not behind or is_doing(behind[0]))
+    return len(names) == 1 and (not behind or behind[0] in COMES_FROM or is_doing(behind[0]))
+
+
+def _with_shared_look(first: Words, before: str, phrase: str, other: Words) -> Words:
+    """The second of two with the material and the colour before both: "a wooden desk and chair"."""
+    said = _without_look(before) != before and ends_in_name(before, first.noun)
+    both = ARTICLE.match(before) and other.material + other.color + other.pattern == ""
+    colored = any(other.noun in GROUPS[group] for group in NATURAL)
+    if not (said and both) or phrase.split()[0].lower() in ARTICLES:
+        return other
+    looks = ("material", "material_form") + (() if colored else ("color", "color_form"))
+    return replace(other, **{look: getattr(first, look) for look in looks})
 
 
 def _parsed(
@@ -254,9 +271,9 @@ def _companions(
         worn, _ = companions_in(f"{thing} {one}", read, first_of, found)
         for more in worn[len(found) : room]:
             if not any(_are_equivalent(more, other) for other in found):
-                # The prompt does not state it.
+                # The prompt states neither it nor a look, which would not be a statue's.
                 quiet = replace(more.words, notes=(), left_out=())
-                found.append(more._replace(words=quiet))
+                found.append(more._replace(words=quiet, phrase=_without_look(more.phrase)))
     return found, rest
 
 
@@ -363,8 +380,14 @@ def _matched(first: Words, found: Found) -> Words:
 
 def _states_look(phrase: str) -> bool:
     """Whether it names a colour or a material: a tuxedo is black by itself."""
-    found = (look_up(word, SLOTS) for word in phrase.lower().split())
-    return any(entry.slot in ("color", "material") for entry in found if entry)
+    return phrase.split() != _without_look(phrase).split()
+
+
+def _without_look(phrase: str) -> str:
+    """The phrase without the colours and materials that it names."""
+    entries = {word: look_up(word.lower(), SLOTS) for word in phrase.split()}
+    looks = {word for word, one in entries.items() if one and one.slot in ("color", "material")}
+    return " ".join(word for word in phrase.split() if word not in looks)
 
 
 def _about(note: str, noun: str) -> str:

@@ -326,7 +326,7 @@ PART_WIDTHS |= dict.fromkeys(("thin", "slim", "slender", "narrow"), 0.6)
 PART_SIZES = {*PART_SCALES, *PART_LENGTHS, *PART_WIDTHS}
 # Depictions: "a bronze statue of a lion" is a lion of bronze, eyes and all.
 STATUES = ("statue", "sculpture", "statuette", "idol", "effigy")
-BUSTS = ("bust", "head bust")  # of somebody a thing by itself; of an animal all of it is made
+BUSTS = ("bust", "head bust")  # of an animal: the whole animal is made
 PLUSHIES = ("plushie", "plush toy", "stuffed animal", "stuffed toy", "soft toy", "cuddly toy")
 SMALL_FIGURES = ("action figure", "toy figure", "vinyl figure")
 DEPICTIONS = (*STATUES, *PLUSHIES, *SMALL_FIGURES, "figure", "doll", "character")
