@@ -34,6 +34,11 @@ GROUPS = frozenset(
 )
 HEAPS = frozenset("pile piles heap heaps mound mounds mountain".split())
 STACKS = frozenset("stack stacks".split())
+CAIRNS = ("cairn", "cairns")  # of stones, one on another
+# Words that are materials by themselves, and the things in a pile of them.
+STONES = dict.fromkeys(("rock", "stone", "cobblestone"), ("rocks",)) | {
+    "brick": ("brick", "blocks")
+}
 WITHOUT_OF = frozenset("dozen couple".split())
 LAID = frozenset(("stacked", "piled"))  # before the name: "three stacked crates"
 _EACH = ("on top of each other", "on each other", "on top of one another", "high", "up")
@@ -61,7 +66,8 @@ PORTIONS = {f"{one}s": one for one in ("slice", "piece", "wedge", "chunk", "segm
 RICHES = frozenset("gold treasure treasures riches loot".split())
 COINS = ["golden", "coins"]
 ALIKE = frozenset(
-    "dice mice geese people cacti sheep deer oxen koi squid salmon moose teeth firewood".split()
+    """dice mice geese people cacti sheep deer oxen koi squid salmon moose teeth firewood sushi
+    bacon""".split()
 )
 NO_PLURAL = ("ss", "us", "is", "lens", "gas", "christmas", "canvas")
 # Right behind a number these are parts of the thing: "two headed dragons", "3 seater sofas".

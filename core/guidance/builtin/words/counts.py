@@ -9,6 +9,7 @@ from typing import NamedTuple
 from core.guidance.builtin.words.count_words import (
     ALIKE,
     BOXES,
+    CAIRNS,
     COINS,
     DOUBLE,
     EVEN_WORDS,
@@ -35,6 +36,7 @@ from core.guidance.builtin.words.count_words import (
     SEVERAL,
     STACKED,
     STACKS,
+    STONES,
     WITHIN,
     WITHOUT_OF,
     Order,
@@ -86,6 +88,7 @@ class _Head(NamedTuple):
 
 def set_counts_apart(tokens: Tokens) -> Counted:
     """Take out the number of the first thing, where that many can be made."""
+    _turn_piles(tokens)
     for at in range(len(tokens.words)):
         named = tokens.first_thing(at)
         stated = _stated_count(tokens, at)
@@ -98,6 +101,23 @@ def set_counts_apart(tokens: Tokens) -> Counted:
         head = _head(tokens, stated.end)
         return _taken(tokens, at, stated, head) if head else Counted()
     return _plain(tokens)
+
+
+def _turn_piles(tokens: Tokens) -> None:
+    """ "A coin pile" is a pile of coins, "a rock cairn" a stack of rocks."""
+    for at in range(len(tokens.words)):
+        word, before = tokens.words[at], tokens.words[max(at - 1, 0)]
+        apart = at == 0 or at in tokens.breaks or at - 1 in tokens.owners
+        what = "" if apart or before in FILLER else before
+        if word in CAIRNS:
+            tokens.put(at - (what in STONES), at + 1, ["stack", "of", *STONES["rock"]])
+            return
+        named = bool(what) and (bool(tokens.thing(what)) or what in STONES)
+        piled = word in HEAPS | STACKS and tokens.ends_phrase(at + 1)
+        if named and piled and not tokens.thing(f"{what} {word}"):
+            many = what if _is_plural([what]) else f"{what}s"
+            tokens.put(at - 1, at + 1, [word, "of", many])
+            return
 
 
 def is_many(tokens: Tokens) -> bool:
@@ -258,6 +278,8 @@ def _name_what_is_piled(tokens: Tokens, begin: int) -> None:
     word = tokens.words[end]
     if word in RICHES and tokens.thing(COINS[-1]):
         tokens.put(begin, end + 1, COINS)
+    elif stones := STONES.get(word.removesuffix("s")):
+        tokens.put(end, end + 1, [*stones])
     elif word in BOXES and end == tokens.qualities_end(begin, ("color",)):
         tokens.put(end, end + 1, ["cardboard", "boxes"])
 

@@ -64,7 +64,7 @@ def undisguised(prompt: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _depicted(prompt: str, names: list[Name]) -> list[Name]:
-    """The names of the depicted thing instead of the depiction's: "a plush toy of a corgi nurse"."""
+    """The names of the depicted thing and not the depiction's: "a plush toy of a corgi nurse"."""
     if len(names) != 1 or names[0].text not in DEPICTED:
         return names
     of = _OF.match(prompt, names[0].end)
