@@ -72,6 +72,12 @@ def with_it(prompt: str) -> tuple[str, list[tuple[str, str]]]:
         ("a table with a lamp on it", "table", "bears", "lamp"),
         ("a stump with an axe on it", "stump", "bears", "axe"),
         ("a car with a surfboard on the roof", "car", "bears", "surfboard"),
+        ("a barrel with a cat inside", "barrel", "bears", "cat"),
+        ("a bowl with a goldfish in it", "bowl", "bears", "orange fish"),  # one
+        ("an anvil with a hammer", "anvil", "bears", "hammer"),
+        ("a panda rowing a boat", "panda", "in", "boat"),
+        ("a boy paddling a red canoe", "boy", "in", "red canoe"),
+        ("a penguin piloting a plane", "penguin", "on", "airplane"),
         ("a pirate with a parrot on his shoulder", "pirate", "bears", "parrot"),
     ],
 )

@@ -476,6 +476,74 @@ def test_what_the_shape_has_but_no_part_is_said_to_be_none(prompt: str, note: st
     assert note in read(prompt)["notes"]
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    ["a burning candle", "a lit candle", "a candle, burning", "a blazing torch", "a lit lantern"],
+)
+def test_what_burns_by_itself_is_lit_without_a_word(prompt: str) -> None:
+    found = read(prompt)
+    assert (found["sheen"], found["left_out"], found["notes"]) == ([], [], [])
+
+
+def test_what_does_not_burn_by_itself_is_not() -> None:
+    assert read("a burning car")["left_out"] == ["burning"]
+    assert read("a lit sphere")["sheen"] == ["glowing"]
+    assert read("a glowing candle")["sheen"] == ["glowing"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "material"),
+    [
+        ("a glass of orange juice with a straw", []),
+        ("a paintbrush above a half-finished canvas", []),
+        ("a hat made of straw", ["straw"]),
+        ("a bag of canvas", ["fabric"]),
+    ],
+)
+def test_a_straw_and_a_canvas_are_things(prompt: str, material: list[str]) -> None:
+    assert read(prompt)["materials"] == material
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "left_out"),
+    [
+        ("a vibrant, handwoven rug", "rug", ["vibrant", "handwoven"]),
+        ("a shaggy, brown dog", "dog", ["shaggy"]),
+        ("the lush, dense, green bush", "bush", ["lush", "dense"]),
+        ("a red, shiny car", "car", []),
+    ],
+)
+def test_a_comma_between_adjectives_ends_nothing(prompt, thing, left_out) -> None:
+    found = read(prompt)
+    assert (found["thing"], found["left_out"]) == (thing, left_out)
+
+
+@pytest.mark.parametrize(
+    "prompt", ["an okapi, a zebra", "a friend, red chair", "a fizzy, of a chair"]
+)
+def test_a_comma_behind_another_things_name_does(prompt: str) -> None:
+    with pytest.raises(UserError, match="does not know"):
+        read(prompt)
+
+
+def test_what_a_thing_has_three_of_is_its_own() -> None:
+    found = read("a cake with three pink candles")
+    assert found["part_colours"] == {"candles": "pink"}
+    assert found["notes"] == ["'three': left out, as parts are not counted."]
+
+
+@pytest.mark.parametrize("name", ["roulette wheel", "spinning wheel", "wheel of fortune"])
+def test_a_wheel_of_another_sort_is_no_cars(name: str) -> None:
+    with pytest.raises(UserError, match=f"does not know '{name}'"):
+        read(f"a {name}")
+    assert read("a wagon wheel")["thing"] == "wheel"
+
+
+def test_potions_have_their_colours() -> None:
+    said = ("a health potion", "mana potion", "a yellow health potion", "a potion")
+    assert [read(one)["colours"] for one in said] == [["red"], ["blue"], ["yellow"], []]
+
+
 def test_a_giants_club_is_no_giant_and_a_dolls_house_is_small() -> None:
     assert read("a giant's club")["size_m"] == read("a club")["size_m"]
     assert read("a doll's house")["size_m"] == read("a dollhouse")["size_m"] < 2

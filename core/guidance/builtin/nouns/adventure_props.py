@@ -170,8 +170,9 @@ ADVENTURE_PROPS = {
         Usual(0.1, STEEL, 0.4),
     ),
     "potion": Noun(
-        "potion bottle, magic potion, flask of potion; elixir, vial, poison bottle, mana "
-        "bottle, alchemy bottle, poison",
+        "potion bottle, magic potion, flask of potion, health potion, healing potion, mana "
+        "potion, stamina potion, love potion, poison potion, potion of health, potion of healing; "
+        "elixir, vial, poison bottle, mana bottle, alchemy bottle, poison",
         {"flask": "*8a3fc0 . glass", "cork": "-b98a52", "rim": "&a070d0 . glass"},
         Usual(0.2, GLASS, 0.095),
     ),

@@ -10,14 +10,16 @@ from core.guidance.builtin.words.lexicon import LEXICON, SLOTS, Entry, Vocabular
 from core.guidance.builtin.words.living import ROLES, is_creature
 from core.guidance.builtin.words.part_names import is_own, may_state, own_name, owns
 from core.guidance.builtin.words.part_tables import LEGS, SURFACE, WHOLE
-from core.guidance.builtin.words.tokens import MADE, Tokens
+from core.guidance.builtin.words.tokens import MADE, Tokens, describes
 from core.guidance.builtin.words.wider import is_wider
 from core.guidance.builtin.words.words import (
     ALONE,
     ARTICLES,
     COUNTED,
+    COUNTS,
     DEPICTIONS,
     FILLER,
+    IGNORED_ADJECTIVES,
     LOOKS,
     PHRASE_ENDS,
     WITHOUT,
@@ -32,6 +34,11 @@ NOT_GIVEN = "nothing else is given in its place"
 OF_PARTS = "eyed eared nosed headed footed legged handed tailed toothed bellied".split()
 STONES = ("stone", "rock")
 MADE_OF = ("of", "from", "in", "out")
+
+
+def _says_little(word: str) -> bool:
+    """Whether it is filler, or an adjective without effect."""
+    return word in (FILLER | IGNORED_ADJECTIVES) - PHRASE_ENDS or describes(word)
 
 
 class Clauses:
@@ -80,8 +87,9 @@ class Clauses:
         return not other and is_wider(token, self.got.found["noun"][-1].word)
 
     def _is_part_of_look(self, entry: Entry, tokens: list[str]) -> bool:
-        """Whether another thing's name, or its part's, is a part of the thing with its look: "a
-        cactus in a terracotta pot", "a typewriter with black keys", although a piano has keys."""
+        """Whether another thing's name, or its part's, is a part of the thing with its look or
+        number: "a cactus in a terracotta pot", "a typewriter with black keys", although a piano has
+        keys, "a cake with three candles"."""
         *looks, last = tokens
         thing = self.got.thing
         is_anothers = entry.slot == "noun" or (
@@ -89,6 +97,8 @@ class Clauses:
         )
         if not looks or not is_anothers or not is_own(thing, last):
             return False
+        if entry.slot == "noun":
+            looks = [word for word in looks if word not in COUNTS]
         known = [look_up(word, self.known) for word in looks]
         return all(one is not None and one.slot in LOOKS for one in known)
 
@@ -217,7 +227,7 @@ class Clauses:
         while begin and self._tokens.words[begin - 1] == "and":  # "with a red and white cloth"
             begin = self._tokens.qualities_begin(begin - 1)
         before = self._tokens.words[:begin]
-        while before and before[-1] in FILLER - PHRASE_ENDS:  # "on a small rock"
+        while before and _says_little(before[-1]):  # "on a small rock", "on a flat-topped rock"
             before.pop()
         return bool(before) and before[-1] in ARTICLES
 

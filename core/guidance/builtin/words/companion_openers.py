@@ -57,10 +57,11 @@ _GARMENT = (
     r"dress|cape|cloak|scarf|armou?r|boots|shoes|sneakers|backpack|glasses|sunglasses|goggles|mask)"
     r"(?![\w-]))"
 )
+_DRIVING = ("rowing", "paddling", "piloting", "steering")
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
         "on",
-        rf"{_BEING}(?P<verb>riding|rides?|driving|drives?)(?: around)?"
+        rf"{_BEING}(?P<verb>riding|rides?|driving|drives?|{'|'.join(_DRIVING)})(?: around)?"
         r"(?: (?:on top of|on|in|atop))? ",
         False,
     ),
@@ -141,6 +142,7 @@ def openers_in(prompt: str) -> list[Opener]:
                     start = match.end(doing) + 1
             verb = (stated.get("verb") or stated.get("doing") or "").split(" ")[0].lower()
             one = Opener(relation, start, match.end(), verb, weak)
+            one = one._replace(verb="driving") if verb in _DRIVING else one
             # "Riding on" is more than "on".
             if not any(start < other.end and other.start < one.end for other in found.values()):
                 found[start] = one

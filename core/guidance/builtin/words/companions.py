@@ -60,6 +60,7 @@ _PLACED = re.compile(
     rf"(?:{_WHOSE} (?:(?:one|left|right|front|two|little|tiny|big) )?(?P<place>"
     rf"{'|'.join(_PLACES.values())})(?! of)))"
     r"|on top of (?P<over>it|them)|on (?P<it>it|them)|in(?:side)? (?P<within>it|them)"
+    r"|(?P<inside>inside)(?= ?(?:$|[,.;!?]))"
     rf"|(?P<by>{BY_IT})"
     r"|(?:on|at) (?:the |its )?(?P<top>top)"
     r"(?: of it)?)(?![\w-])",
@@ -166,7 +167,10 @@ class _Search:
                 filter(None, (stated.get(k) for k in ("place", "it", "over", "top"))), "top"
             )
             by = bool(stated.get("by"))
-            if stated.get("within") and not fillings.may_hold(first, match["phrase"]):
+            within = stated.get("within") or stated.get("inside")
+            if stated.get("inside") and not fillings.is_some(match["phrase"]):
+                continue  # "with green potion inside"
+            if within and not fillings.may_hold(first, match["phrase"]):
                 continue
             relation = self._at(place.lower(), match["phrase"]) if first else None
             if by and first:
@@ -182,7 +186,7 @@ class _Search:
             if not stated.get("place") and self._has_opener(clause):
                 continue
             one = fitting(self._read, relation, match["phrase"].strip(), first, found)
-            if one and stated.get("within"):
+            if one and within:
                 one = self._as_filling(one, first)
             if one:
                 # "With a skull and a candle on top": the skull is there too.

@@ -46,6 +46,8 @@ PLATE = "plate"
 SURELY = ("of", "containing")  # and what is full of it: "with" may be a print
 MASSES = frozenset("hay straw".split())
 _SMALL = re.compile(r"\b(?:toy|tiny|little|small|model|mini|miniature)\b", re.IGNORECASE)
+_ONE = re.compile(r"\s*(?:an?|one|another) (?!.*\bof\b)", re.IGNORECASE)
+_COUNTED = re.compile(r"\s*(?:an?|the|one|some|two|three|four|five|six) ", re.IGNORECASE)
 LARGEST = 2.0  # times as long as what it is in
 
 
@@ -63,6 +65,7 @@ def named(phrase: str) -> Named:
     tokens = Tokens.of(phrase, SLOTS)
     many, single = is_many(tokens), named_singly(phrase, tokens)
     counted = bool(set_counts_apart(Tokens.of(phrase, SLOTS)).stated)
+    many &= counted or not _ONE.match(phrase)  # "a goldfish"
     return Named(phrase if counted else single, many, counted)
 
 
@@ -88,6 +91,11 @@ def length(noun: str, phrase: str) -> float:
 def fills(phrase: str) -> bool:
     """Whether a container may be full of it: "apples", "bread", "hay"."""
     return named(phrase).is_many or named_in(phrase) in FOOD or phrase.lower() in MASSES
+
+
+def is_some(phrase: str) -> bool:
+    """Whether it names one thing or several, and no liquid."""
+    return bool(_COUNTED.match(phrase)) or named(phrase).is_many
 
 
 def may_hold(container: str, phrase: str) -> bool:

@@ -196,7 +196,10 @@ def _placed(
         if first in LAID and _may_be_drawn(whole):  # a rug with a tiger
             place = ""
         if is_one:
-            place = of_all or part.where or place or ("on" if clause["on"] else "")
+            said = of_all or part.where
+            if said == "in" and not fillings.may_hold(first, whole):  # "with a candle inside"
+                said = place = ""
+            place = said or place or ("on" if clause["on"] else "")
         if _PERCHED.search(part.text) and is_creature(named_in(whole)):
             place = "on"
         found.append(part._replace(where="" if _UNDER.search(part.text) else place))

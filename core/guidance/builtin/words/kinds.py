@@ -144,6 +144,10 @@ _ROWS = {
     "bottle of milk, milk bottle": "ivory",
     "ketchup, hot sauce": "red",
     "mustard bottle, olive oil": "mustard",
+    "health potion, healing potion, potion of health, potion of healing": "red",
+    "mana potion, mana bottle": "blue",
+    "stamina potion, poison potion, poison bottle, poison": "green",
+    "love potion": "pink",
     # clothes and vehicles
     "straw hat, panama hat": "straw",
     "sailor hat, sailor cap": "white; brim: white; pompom: white",

@@ -5,7 +5,7 @@ black bird.
 """
 
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.substances import natural_kind
+from core.guidance.builtin.substances import BURNING, lights, natural_kind
 from core.guidance.builtin.words.accents import StatedPart
 from core.guidance.builtin.words.clauses import NOT_GIVEN, Clauses
 from core.guidance.builtin.words.colors import CALLED_SHADES, TASTES, shade
@@ -17,6 +17,7 @@ from core.guidance.builtin.words.part_names import looks_of, own_name
 from core.guidance.builtin.words.sizes import TOY_SIZE, usual
 from core.guidance.builtin.words.words import (
     AGES,
+    ALIGHT,
     ALSO_OF_FUR,
     AS_MATERIAL,
     BUSTS,
@@ -29,6 +30,7 @@ from core.guidance.builtin.words.words import (
     FOLDED,
     FROZEN,
     GEMS,
+    LIT,
     MOULDED,
     OF_ANIMALS,
     OF_WHAT_LIES,
@@ -179,6 +181,16 @@ class Likeness(Clauses):
         mains = [part for part, look in looks.items() if look[0] == "*"]
         if all(natural_kind(self.got.thing, part) == WOVEN for part in mains):
             found["material"] = [one for one in found["material"] if one.form != "woven"]
+
+    def _leave_its_fire(self) -> None:
+        """ "A burning candle", "a lit lantern": only its flame or its lamp glows, as always."""
+        thing, found = self.got.thing, self.got.found["sheen"]
+        kinds = {part: natural_kind(thing, part) for part in looks_of(thing)}
+        if any(lights(thing, *one)[0] for one in kinds.items()):
+            found[:] = [one for one in found if one.form != LIT]
+        if not set(BURNING).isdisjoint(kinds.values()):
+            for words in (self.got.left_out, self.got.qualifiers):
+                words[:] = [one for one in words if one not in ALIGHT]
 
     def _may_be_of(self, form: str) -> bool:
         """Whether a word that may be a material is the thing's: "an ice palace", but not an ice

@@ -27,6 +27,10 @@ NEAREST = {
     "doll": "minifigure, minifig",
     "bust": "head, face",
     "cone": "tornado",
+    "ship wheel": "roulette wheel, roulette, spinning wheel, potter wheel, potters wheel, pottery "
+    "wheel, wheel of fortune, fortune wheel, water wheel, waterwheel, prayer wheel, hamster wheel, "
+    "color wheel, colour wheel",
+    "dragonfly": "grasshopper, cricket insect, mantis, praying mantis, locust",
     "snail": "slug",
     "spider": "insect",
     "trophy": "prize, award",

@@ -95,6 +95,7 @@ class Reading(Stature):
         self._make_as_qualified()
         self._shade_as_qualified()
         self._leave_as_woven()
+        self._leave_its_fire()
         self._spare_the_living()
         distribute_materials(self.got, self._tokens)
         self._set_depicted()

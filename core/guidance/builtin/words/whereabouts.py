@@ -93,7 +93,7 @@ def place_of(first: str, phrase: str, is_one: bool) -> Place:
     many = not is_one and named(phrase).is_many
     if noun in known_as.POINTED and first in known_as.PIERCED:
         return "in"
-    if first in STOVES and noun in _HEATED:
+    if (first in STOVES and noun in _HEATED) or (first == "anvil" and noun in known_as.PUT_DOWN):
         return "on"
     if first in _TOPPED and noun in known_as.EDIBLE:
         return "heaped on" if many else "on" if is_one else ""

@@ -103,7 +103,7 @@ SHEENS = {
     "glazed, shining, sleek, mirror polished, lacquer",
     "glowing": "luminous, illuminated, luminescent, bioluminescent, neon, lit, glowy",
 }
-# These are said of what gives light and of what burns by itself too.
+# Words for what lamps and flames always do.
 LIT, ALIGHT = "lit", frozenset("burning flaming blazing alight ablaze".split())
 PATTERNS = {
     "striped": "stripe, stripy, stripey, banded, tabby, brindle, tiger stripe, tiger striped, "
