@@ -5,12 +5,14 @@ import pytest
 import torch
 
 from core.geometry.mesh import component_labels, health, signed_volume
+from core.geometry.parts import pipe_fitting
 from core.geometry.parts.assembly import KnownParts, assembled
 from core.geometry.parts.forms import Forms
-from core.geometry.parts.pipe_fitting import simplified
+from core.geometry.parts.pipe_fitting import piped, simplified
 from core.geometry.parts.pipes import Pipe, packed_pipes, pipes, surface_of, unpacked_pipes
 from core.geometry.parts.skeleton import Skeleton, skeleton_of
 from core.geometry.parts.slender import thinned
+from core.geometry.sweep import across
 from core.guidance.builtin.nouns import NOUNS
 from core.tests.drawn_things import shipped_prior
 
@@ -67,8 +69,7 @@ def test_a_component_of_pipes_is_found_with_its_joints_and_loops(name):
     assert np.abs(radii / R - 1).max() < 0.25
     facts = health(verts, faces)
     assert facts["closed"] and facts["components"] == 1, facts
-    genus = 1 - (len(verts) - len(faces) // 2) // 2
-    assert genus == LOOPS[name]
+    assert genus(verts, faces) == LOOPS[name]
 
 
 def test_pipes_are_made_thinner_to_their_ends():
@@ -85,16 +86,65 @@ def test_pipes_are_made_thinner_to_their_ends():
     )
 
 
-def test_what_is_stout_or_a_board_is_no_pipe():
-    def board(points):
-        q = points.abs() - torch.tensor([0.6, 0.04, 0.15])
-        bent = q.clamp_min(0).norm(dim=1) + q.amax(1).clamp_max(0)
-        return (bent + 0.004 * (13 * points).sin().sum(1))[:, None]
+def board(points, half=(0.6, 0.04, 0.15), wave=0.004):
+    q = points.abs() - torch.tensor(half)
+    bent = q.clamp_min(0).norm(dim=1) + q.amax(1).clamp_max(0)
+    return (bent + wave * (13 * points).sin().sum(1))[:, None]
 
+
+def test_what_is_stout_or_a_board_is_no_pipe():
     fat = [pipe._replace(nodes=pipe.nodes * (1, 1, 1, 3)) for pipe in FORK]
     for distances in (board, drawn(fat)):
         forms = [c.primitive and c.primitive.form for c in KnownParts(distances, ROUND).components]
         assert "pipes" not in forms
+
+
+def genus(verts, faces):
+    return 1 - (len(verts) - len(faces) // 2) // 2
+
+
+@pytest.mark.parametrize(("radius", "is_pipe"), [(0.11, True), (0.14, False)])
+def test_a_long_ring_is_a_pipe_up_to_the_radius_of_one(radius, is_pipe):
+    ring = [Pipe(line(*arc(13, 0.6, 1.0)[:-1], radius=radius), closed=True)]
+    (component,) = KnownParts(drawn(ring), ROUND).components
+    assert (piped(component) is not None) == is_pipe
+
+
+def test_a_pipe_of_another_area_than_the_surface_is_none(monkeypatch):
+    """Of a strip, whose pipe winds over it with half as much surface again."""
+    (component,) = KnownParts(lambda p: board(p, (0.7, 0.05, 0.12), 0.002), ROUND).components
+    assert piped(component) is None
+    monkeypatch.setattr(pipe_fitting, "AREA", 0.6)
+    assert piped(component) is not None
+
+
+def test_the_first_skeleton_that_has_all_loops_is_taken(monkeypatch):
+    """An eye so small that wide bands do not see it."""
+    eye = Pipe(line(*arc(9, 0.1, 1.0)[:-1]), closed=True)
+    shaft = Pipe(line((0, 0, -0.3), (0, 0, -0.8)))
+    (component,) = KnownParts(drawn([eye, shaft]), ROUND).components
+    loops = [skeleton_of(component.lattice, width).loops for width in (4.0, 1.5)]
+    assert (loops, genus(component.verts, component.faces)) == ([0, 1], 1)
+    monkeypatch.setattr(pipe_fitting, "WIDTHS", (4.0, 1.5))
+    assert genus(*piped(component).mesh(0.05)) == 1
+    monkeypatch.setattr(pipe_fitting, "WIDTHS", (4.0,))
+    assert piped(component) is None
+
+
+def test_the_circles_of_a_closed_curve_turn_evenly():
+    """Off a plane the first direction comes back turned; a little of that is on each circle."""
+    angle = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    wide = 1 + 0.3 * np.cos(3 * angle)  # a coil bent to a ring
+    places = np.stack([wide * np.cos(angle), wide * np.sin(angle), 0.3 * np.sin(3 * angle)], 1)
+    along = np.roll(places, -1, 0) - np.roll(places, 1, 0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    side, other = across(places, closed=True)
+    assert np.abs((side * along).sum(1)).max() < 1e-9
+    assert np.abs(other - np.cross(along, side)).max() < 1e-9
+    after = np.roll(side, -1, 0)
+    turns = np.arctan2((after * other).sum(1), (after * side).sum(1))
+    assert abs(turns.sum()) > 0.1  # in all
+    assert np.abs(turns - turns.mean()).max() < 1e-3
 
 
 def test_a_small_wing_is_no_pipe_that_winds_over_it():
@@ -123,6 +173,8 @@ def test_a_pipe_s_surface_is_closed_faces_outwards_and_is_at_distance_0(name):
         facts = health(verts, faces)
         assert facts["closed"] and component_labels(faces, len(verts))[0] == 1
         assert signed_volume(verts, faces) > 0
+        ways = torch.cat([faces[:, [k, (k + 1) % 3]] for k in range(3)])
+        assert len(ways.unique(dim=0)) == len(ways)  # each edge once each way: no end is inside out
         off = pipes(verts.double().numpy(), packed_pipes([pipe]))
         assert np.abs(off).max() < 0.002
 

@@ -12,7 +12,7 @@ from core.geometry.union import is_solid
 
 STEP, FARTHEST = 0.5, 28  # cells, of a search across; how many
 EVEN = 1.25  # times the median thickness, at most, of what is a sheet
-MOST, LEAST = 0.25, 0.45  # of its size, a sheet's thickness; of its surface, what is even
+MOST = 0.25  # of its size, a sheet's thickness
 FILLED, SMOOTH, POLISH = 16, 3, 3  # rounds
 
 
@@ -32,7 +32,7 @@ def thinned_sheet(
     across = thickness(places, normals, lattice)
     usual = np.median(across)
     even = across < EVEN * usual
-    if usual > MOST * np.ptp(places, axis=0).max() or even.mean() < LEAST:
+    if usual > MOST * np.ptp(places, axis=0).max():
         return verts, faces
     mean = mean_around(corners, len(places))
     inwards = -normals * np.where(even, (1 - by) / 2 * across, 0.0)[:, None]
