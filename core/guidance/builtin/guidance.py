@@ -106,7 +106,7 @@ class BuiltinGuidance(Guidance):
         for note in (*words.notes, *negative.notes):
             warnings.warn(note, PromptWarning, stacklevel=2)
         alone = PromptedBuiltin(self, words, negative)
-        if not words.companions and words.count == 1:
+        if not words.companions and words.count == 1 and not words.pose:
             return alone
         pairs = [(one.relation, one.words) for one in words.companions]
         each = [freed(words, pairs), *(other for _, other in pairs)]

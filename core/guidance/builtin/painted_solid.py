@@ -13,6 +13,7 @@ from core.geometry.parts.forms import Forms
 from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
+from core.guidance.builtin.composition.placement import EYES
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
@@ -24,7 +25,7 @@ from core.guidance.builtin.markings.markings import (
     unfit_markings,
 )
 from core.guidance.builtin.nouns import solid_of
-from core.guidance.builtin.palette import looks, painted
+from core.guidance.builtin.palette import Painted, looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
 from core.guidance.builtin.patterns import ALONG, LINES, MARGINS, Laid, axis_of
 from core.guidance.builtin.slender import slender_parts
@@ -40,6 +41,9 @@ SOFT = 0.01  # flat fraction of a part's surface where it is not known
 EVEN = 0.02  # tolerance of the scales along two axes for a circle to stay one
 LONG = 4  # digits: a number by nature has fewer
 BEARS = "it stays, as markings are on it."
+IN_EYES = "pupils", "glints", "whites"
+FACES = "head", "face"
+LID = 0.7  # sRGB, of the colour around it
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
 NO_ROOM = "left out, as the thing has no room for it."
 
@@ -56,7 +60,9 @@ class PaintedSolid:
         """``whole``: it is put together of its parts, so that these may be thinner or of another
         size than they are drawn."""
         self.words, self.solid, self.whole = words, solid, whole
-        self.paints = list(painted(words.noun, words))
+        paints = list(painted(words.noun, words))
+        self.asleep = whole and words.pose == "sleeping"
+        self.paints = [*_closed(paints)] if self.asleep else paints
 
     @cached_property
     def parts(self) -> KnownParts:
@@ -116,6 +122,7 @@ class PaintedSolid:
         gone = {name for name in self.words.absent if not bears(self.words, name)}
         gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
         gone |= {part.name for part in self.paints if part.look.asked and not part.apart}
+        gone |= set(IN_EYES) if self.asleep else set()
         if any(one.emblem.text and not one.emblem.on for one in self.emblems):
             gone |= {"letters", NUMBER}  # the prompt's own replace them
         if self.words.emblems and is_marking(noun, "badge"):
@@ -192,6 +199,13 @@ class PaintedSolid:
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
             *(() if drawn else unsized(self.words)),
         )
+
+
+def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
+    """With eyelids, in a shade of what is around them, over the eyes."""
+    face = next((one for one in paints if one.name in FACES), paints[0])
+    lid = face._replace(color=tuple(LID * x for x in face.color), pattern="")
+    return (lid._replace(name=one.name) if one.name in EYES else one for one in paints)
 
 
 def unsized(words: Words) -> Iterator[str]:

@@ -24,6 +24,7 @@ from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged
 from core.guidance.builtin.composition.clothing import dressed
 from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.poses import in_poses
 from core.guidance.builtin.composition.posing import in_one, points_of, seen_from
 from core.guidance.builtin.composition.sitting import seated
 from core.guidance.builtin.composition.thing import Thing
@@ -34,6 +35,8 @@ ALONE = (
     "left out, as only what the built-in prior draws itself is combined with other things, not "
     "your mesh or a distilled shape."
 )
+OWN_POSE = "left out, as only what the built-in prior draws itself gets a pose."
+UNPOSED = "left out, as it is not drawn on four legs that are apart."
 UNFIT = "left out, as the thing has no place for it."
 
 Known = TypeVar("Known", AreaFields, KnownParts)
@@ -46,7 +49,7 @@ class Made(NamedTuple):
     things: Sequence[Thing]
     places: Sequence[Sequence[Placement]]  # of the copies of each
     size_m: float  # of the whole's longest side, metres
-    unfit: Sequence[str] = ()  # nouns of garments that do not fit, left out
+    unfit: Sequence[str] = ()  # notes on garments that do not fit and poses that it cannot have
 
 
 class Composed(PromptedGuidance):
@@ -79,6 +82,7 @@ class Composed(PromptedGuidance):
         if len(bodies) < len(drawn):  # the weights have no solids
             return self
         drawn, bodies, fits = dressed(drawn, bodies, self.relations)
+        drawn, bodies, unposed = in_poses(drawn, bodies, self.relations)
         drawn, bodies = seated(drawn, bodies, self.relations)
         drawn = list(compress(drawn, [True, *fits]))
         bodies = list(compress(bodies, [True, *fits]))
@@ -89,7 +93,8 @@ class Composed(PromptedGuidance):
         sides = verts.amax(0) - verts.amin(0)
         size_m = float(sides.max()) * bodies[0].metres / places[0][0].scale
         others = zip(self.things[1:], fits, strict=True)
-        unfit = [thing.words.noun for thing, fit in others if not fit]
+        unfit = [f"{thing.words.noun}: {UNFIT}" for thing, fit in others if not fit]
+        unfit += [f"{words.noun} {words.pose}: {UNPOSED}" for words in unposed]
         return self._with(self.alone, Made(drawn, places, size_m, unfit))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
@@ -143,10 +148,12 @@ class Composed(PromptedGuidance):
         """Notes of the things, and on companions and copies that are left out."""
         own = tuple(text for thing in self._here for text in thing.left_out())
         if self.made:
-            return own + tuple(f"{noun}: {UNFIT}" for noun in self.made.unfit)
+            return (*own, *self.made.unfit)
         first, *others = (thing.words for thing in self.things)
         more = [f"{first.count} × {first.noun}"] if first.count > 1 else []
-        return own + tuple(f"{what}: {ALONE}" for what in (*more, *(one.noun for one in others)))
+        posed = (f"{first.noun} {first.pose}: {OWN_POSE}",) if first.pose else ()
+        alone = (f"{what}: {ALONE}" for what in (*more, *(one.noun for one in others)))
+        return (*own, *posed, *alone)
 
     @torch.no_grad()
     def predict(

@@ -1,8 +1,8 @@
 """A drawn thing in another pose than its rest pose: bones, each a region that is moved.
 
-The thing's distances are known everywhere, so nothing is deformed: a bone has the part of the rest
-pose in its region, moved rigidly. The regions of neighbours overlap at their joint in a ball, so
-that it is filled.
+A bone has the part of the rest pose in its region, moved rigidly or bent about an axis; both have
+an exact inverse, so that the posed thing's distances are known everywhere. The regions of
+neighbours overlap at their joint in a ball, so that it is filled.
 """
 
 from collections.abc import Callable
@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from core.appearance.material_ranges import MaterialRanges
+from core.geometry.fan import Fan
 from core.geometry.init_shape import Shape
 from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
@@ -25,6 +26,7 @@ from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.solid import Solid
 from core.guidance.guidance import Predictions, Surface, Views
 
+NOWHERE = 9.0  # training units: the distance from no region at all
 KNOWN = 0.12  # training units: what is farther from a bone's region is not looked at
 
 Distances = Callable[[Float[Tensor, "n 3"]], Float[Tensor, "n p"]]
@@ -37,16 +39,33 @@ class Bone:
     regions: tuple[Region, ...]
     place: Placement
     within: bool = True
+    bend: Fan | None = None  # of the rest pose, before it is placed
 
     def moved(self, by: Float[Tensor, " 3"]) -> "Bone":
         """The bone of a thing moved by so much."""
         back = by - self.place.turn @ by * self.place.scale
         regions = tuple(region.moved(by) for region in self.regions)
-        return replace(self, regions=regions, place=self.place.moved(back))
+        bend = self.bend and self.bend.moved(by)
+        return replace(self, regions=regions, place=self.place.moved(back), bend=bend)
+
+    def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the rest pose in the pose."""
+        return self.place.out(self.bend.out(points) if self.bend else points)
+
+    def into(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the pose in the rest pose."""
+        points = self.place.into(points)
+        return self.bend.into(points) if self.bend else points
+
+    def seen(self, surface: Float[Tensor, "b 7 s s"]) -> Float[Tensor, "b 7 s s"]:
+        """The pictures' normals and points in the rest pose."""
+        found = seen_from(surface, self.place)
+        return _unbent(found, self.bend) if self.bend else found
 
     def gap(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distances of points of the rest pose from the bone's region."""
-        gap = torch.stack([_distance(region, points) for region in self.regions]).amin(0)
+        each = [_distance(region, points) for region in self.regions]
+        gap = torch.stack(each).amin(0) if each else torch.full_like(points[:, 0], NOWHERE)
         return gap if self.within else -gap
 
 
@@ -79,16 +98,24 @@ class Pose:
         owner, found = self.owner(points), points.clone()
         for index, bone in enumerate(self.bones):
             mine = owner == index
-            found[mine] = bone.place.out(points[mine])
+            found[mine] = bone.out(points[mine])
         return found
 
     def moved(self, by: Float[Tensor, " 3"]) -> "Pose":
         """The pose of a thing moved by so much."""
         return Pose(tuple(bone.moved(by) for bone in self.bones))
 
+    def then(self, scale: float, shift: Float[Tensor, " 3"]) -> "Pose":
+        """The posed thing scaled around the origin, then moved."""
+        return Pose(
+            tuple(replace(bone, place=bone.place.then(scale, shift)) for bone in self.bones)
+        )
+
     def body(self, body: Body) -> Body:
         """The posed body of a drawn thing."""
-        return replace(body, verts=self.out(body.verts))
+        return replace(
+            body, verts=self.out(body.verts), metres=body.metres / self.bones[0].place.scale
+        )
 
     def distances(self, known: Distances) -> Distances:
         """Distances of parts in the pose, from those in the rest pose."""
@@ -116,7 +143,7 @@ class Pose:
             found, bone = torch.zeros_like(points[:, 0]), self.bone_at(known, points)
             for index, one in enumerate(self.bones):
                 here = (bone == index).nonzero().squeeze(1)
-                own = rest.heights(one.place.into(points[here]), area[here])
+                own = rest.heights(one.into(points[here]), area[here])
                 found[here] = own * one.place.scale
             return found
 
@@ -130,13 +157,13 @@ class Pose:
         """The distances from each bone's parts."""
         found = []
         for bone in self.bones:
-            rest = bone.place.into(points)
+            rest = bone.into(points)
             gap = bone.gap(rest)
             near = gap < KNOWN
             own = known(rest[near])
             whole = gap[:, None].expand(-1, own.shape[1]).clone()
             whole[near] = torch.maximum(own, gap[near, None])
-            found.append(whole)
+            found.append(whole * bone.place.scale)
         return found
 
 
@@ -175,7 +202,7 @@ class PosedParts(KnownParts):
             verts, faces = clipped(
                 self.rest.surface_of(component, exact), bone.regions, bone.within
             )
-            self._cut_off[key] = bone.place.out(verts), faces
+            self._cut_off[key] = bone.out(verts), faces
         return self._cut_off[key]
 
 
@@ -267,7 +294,7 @@ class Posed:
         at_rest = surface
         for index, bone in enumerate(self.pose.bones):
             mine = (owner == index)[:, None]
-            at_rest = torch.where(mine, seen_from(surface, bone.place), at_rest)
+            at_rest = torch.where(mine, bone.seen(surface), at_rest)
         return at_rest
 
 
@@ -297,6 +324,18 @@ def seen_from(surface: Float[Tensor, "b 7 s s"], place: Placement) -> Float[Tens
     turn, shift = place.turn.to(surface), place.shift.to(surface)
     points = (points - shift * (mask + 1) / 2) @ turn / place.scale  # they are weighted by coverage
     return torch.cat([normals @ turn, mask, points], -1).permute(0, 3, 1, 2)
+
+
+def _unbent(surface: Float[Tensor, "b 7 s s"], bend: Fan) -> Float[Tensor, "b 7 s s"]:
+    """The pictures' normals and points before the bend."""
+    _, bent = points_of(surface)
+    shape = bent.shape[:-1]
+    points, by = bend.into(bent.reshape(-1, 3)).view(bent.shape), bend.turn_at(bent.reshape(-1, 3))
+    cos, sin = by.view(shape).cos(), by.view(shape).sin()
+    x, y, z, mask = surface[:, :4].unbind(1)
+    covered = (mask + 1) / 2
+    normals = torch.stack([x, cos * y - sin * z, cos * z + sin * y, mask], 1)
+    return torch.cat([normals, (points * covered[..., None]).permute(0, 3, 1, 2)], 1)
 
 
 def joint(

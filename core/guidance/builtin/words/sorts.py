@@ -30,13 +30,14 @@ def sort_of(noun: str, prompt: str) -> Sort:
     own = re.split(BESIDE, text)[0]
     whole = re.split(r"\b(?:with|whose|that has)\b", own)[0]
     for words, kinds in SORTS.get(noun, {}).items():
-        named = [one for one in words.split(", ") if _says(whole if one in OF_WHOLE else own, one)]
+        named = [one for one in words.split(", ") if says(whole if one in OF_WHOLE else own, one)]
         if named:
             return Sort(tuple(named), kinds, SIZES_M.get((noun, kinds), 0.0))
     return Sort()
 
 
-def _says(text: str, word: str) -> bool:
+def says(text: str, word: str) -> bool:
+    """Whether a text of words and spaces has the word, and does not deny it."""
     denied = r"\b(?:without|no|not|non|neither|nor|t)(?: an?| any| very)?(?: \w+)? $"
     found = re.finditer(rf"\b{word}s?\b", text)
     return any(not re.search(denied, text[: one.start()]) for one in found)

@@ -32,6 +32,7 @@ from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_name, owns
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
+from core.guidance.builtin.words.poses import in_a_word, pose_of
 from core.guidance.builtin.words.prompt_errors import (
     ELSEWHERE,
     PromptError,
@@ -111,6 +112,7 @@ def _looks(words: Words) -> dict[str, Any]:
     second = "" if words.target else words.second_form or words.second
     return {
         "thing": words.noun,
+        "pose": words.pose or None,
         "count": words.count,
         "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
@@ -294,6 +296,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     if own:  # a medal's star is a part of it
         emblems, rest = emblems_in(prompt, own)
         got = _read(rest, known, noun_needed)
+    if (shorter := in_a_word(got.thing, rest)) != rest:
+        rest, got = shorter, _read(shorter, known, noun_needed)
     if emblems and noun_needed and not got.found["noun"]:  # the quoted words may be the thing
         emblems, got = (), _read(prompt, known, noun_needed)
     # Before the missing noun: an error with the nearest known words is more useful.
@@ -310,10 +314,13 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
         )
     sort = sort_of(got.thing, prompt) or got.sort
     got.take_as_sort(sort.stated)
+    pose, stated = pose_of(got.thing, rest)
+    got.take_as_sort(stated)
     # The part last: its possible words depend on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
+    words["pose"] = pose
     words["part_sizes"] = got.part_sizes(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
@@ -340,6 +347,8 @@ def _together(words: Words, found: Iterable[Found]) -> Words:
     found = list(found)
     companions = tuple(Companion(one.relation, _matched(words, one), one.verb) for one in found)
     words = replace(words, accents=(*words.accents, *_of_suits(words, found)))
+    does = (pose_of(words.noun, one.verb)[0] for one in found)
+    words = replace(words, pose=words.pose or next(filter(None, does), ""))
     notes = (_about(note, one.words.noun) for one in companions for note in one.words.notes)
     left_out = (word for one in companions for word in one.words.left_out)
     return replace(

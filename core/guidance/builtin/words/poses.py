@@ -1,0 +1,81 @@
+"""Poses of animals in words: "a sitting dog", "a horse rearing up". Standard library only."""
+
+import re
+from typing import Literal
+
+from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.sorts import says
+
+# "" is the pose in which a thing is drawn.
+PoseWord = Literal[
+    "",
+    "sitting",
+    "lying",
+    "sleeping",
+    "rearing",
+    "running",
+    "walking",
+    "leaping",
+    "howling",
+    "roaring",
+    "grazing",
+]
+
+# The animals that are drawn standing on four legs: ``core/tests/test_animal_poses.py`` measures it.
+FOUR_LEGGED = frozenset(
+    """dog corgi cat horse donkey cow bull sheep pig wolf fox bear deer lion elephant giraffe
+    unicorn tiger leopard zebra rhino hippo camel llama goat moose dalmatian pug raccoon triceratops
+    stegosaurus brachiosaurus mammoth pegasus""".split()
+)
+GRAZING = frozenset(
+    "horse donkey cow bull sheep deer giraffe unicorn zebra rhino camel llama goat moose".split()
+) | {"pegasus", "elephant"}
+# They are drawn sitting, or on their bellies.
+SITTING = frozenset("rabbit squirrel koala panda monkey kangaroo beaver frog skunk hamster".split())
+LYING = frozenset("crocodile lizard turtle seal walrus snake mouse".split())
+
+WORDS: dict[PoseWord, str] = {
+    "rearing": "rearing, rears, reared, rampant, upright",
+    "sleeping": "sleeping, asleep, sleeps, napping, dozing, snoozing, curled",
+    "sitting": "sitting, sits, seated, sit, crouching, crouched, squatting",
+    "lying": "lying, lies, laying, lounging, reclining, resting, relaxing, lazing",
+    "leaping": "leaping, leaps, jumping, jumps, pouncing, bounding",
+    "running": "running, runs, galloping, gallops, sprinting, charging, racing",
+    "walking": "walking, walks, trotting, prowling, strolling, strutting, marching, stalking",
+    "howling": "howling, howls, braying, crowing",
+    "roaring": "roaring, roars, barking, growling, snarling, meowing, bleating, neighing, trumpeting",
+    "grazing": "grazing, grazes, drinking, sniffing",
+}
+AS_DRAWN: dict[str, frozenset[str]] = {
+    "standing, stands, stood": frozenset(),  # all that is not drawn otherwise
+    WORDS["sitting"]: SITTING,
+    WORDS["lying"]: LYING,
+}
+_HIND_LEGS = re.compile(
+    r"\b(?:(?:standing|stands|walking|dancing|sitting|up|rearing) )*on (?:(?:its|his|her|their|two|"
+    r"the) )*(?:hind|back|rear) legs?\b",
+    re.IGNORECASE,
+)
+
+
+def in_a_word(noun: str, prompt: str) -> str:
+    """The prompt with "rearing" in place of "standing on its hind legs"."""
+    return _HIND_LEGS.sub("rearing", prompt) if noun in FOUR_LEGGED else prompt
+
+
+def pose_of(noun: str, prompt: str) -> tuple[PoseWord, list[str]]:
+    """The pose of the thing in a prompt about it alone, and its words there; a word for the pose in
+    which it is drawn is one of these, too."""
+    text = re.sub(r"[\W_]+", " ", prompt.lower())
+    for pose, words in WORDS.items():
+        stated = [word for word in words.split(", ") if says(text, word)]
+        if stated and noun in FOUR_LEGGED and (pose != "grazing" or noun in GRAZING):
+            return pose, stated
+    if not is_animal(noun):
+        return "", []
+    for words, nouns in AS_DRAWN.items():
+        stated = [word for word in words.split(", ") if says(text, word)]
+        drawn = noun in nouns if nouns else noun not in SITTING | LYING
+        if stated and drawn:
+            return "", stated
+    return "", []
