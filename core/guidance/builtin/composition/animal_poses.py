@@ -117,7 +117,7 @@ class Animal:
 
     def posed(self, trunk: Placement, swings: Swings, head: float) -> Pose:
         """The pose with the trunk in such a place and the head raised by so many degrees against
-        it."""
+        it; without ``swings`` the legs are as they are."""
         bones, cut = [], []
         for pair, both in enumerate(swings):
             for side, swing in zip(SIDES, both, strict=True):
@@ -211,14 +211,17 @@ def _moves(animal: Animal, angles: Sequence[float], tilt: float = 0, head: float
     return animal.posed(trunk, [(swings[0], swings[1]), (swings[2], swings[3])], head - tilt)
 
 
+def _looks(animal: Animal, up: float) -> Pose:
+    """Standing, the head raised by so many degrees."""
+    return animal.posed(Placement.of(), (), up)
+
+
 def _grazes(animal: Animal) -> Pose:
     """Its muzzle on the ground, or as low as it gets."""
     head = animal.body.verts[animal.body.among(*OF_HEADS)]
-    for angle in GRAZED:
-        moved = animal.bend(-angle).out(head)
-        if float(moved[:, 2].amin()) >= animal.sole:
-            break
-    return _moves(animal, (0, 0, 0, 0), head=-angle)
+    low = (float(animal.bend(-angle).out(head)[:, 2].amin()) for angle in GRAZED)
+    pairs = zip(GRAZED, low, strict=True)
+    return _looks(animal, -next((angle for angle, z in pairs if z >= animal.sole), GRAZED[-1]))
 
 
 POSES: dict[PoseWord, Callable[[Animal], Pose]] = {
@@ -229,8 +232,8 @@ POSES: dict[PoseWord, Callable[[Animal], Pose]] = {
     "running": partial(_moves, angles=(55, 25, -50, -22)),
     "walking": partial(_moves, angles=(22, -20, -22, 20)),
     "leaping": partial(_moves, angles=(65, 55, -60, -50), tilt=18, head=8),
-    "howling": partial(_moves, angles=(0, 0, 0, 0), head=42),
-    "roaring": partial(_moves, angles=(0, 0, 0, 0), head=22),
+    "howling": partial(_looks, up=42),
+    "roaring": partial(_looks, up=22),
     "grazing": _grazes,
 }
 

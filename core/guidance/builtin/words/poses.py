@@ -25,7 +25,7 @@ PoseWord = Literal[
 FOUR_LEGGED = frozenset(
     """dog corgi cat horse donkey cow bull sheep pig wolf fox bear deer lion elephant giraffe
     unicorn tiger leopard zebra rhino hippo camel llama goat moose dalmatian pug raccoon triceratops
-    stegosaurus brachiosaurus mammoth pegasus""".split()
+    stegosaurus brachiosaurus mammoth pegasus dragon poodle griffin""".split()
 )
 GRAZING = frozenset(
     "horse donkey cow bull sheep deer giraffe unicorn zebra rhino camel llama goat moose".split()
@@ -43,7 +43,8 @@ WORDS: dict[PoseWord, str] = {
     "running": "running, runs, galloping, gallops, sprinting, charging, racing",
     "walking": "walking, walks, trotting, prowling, strolling, strutting, marching, stalking",
     "howling": "howling, howls, braying, crowing",
-    "roaring": "roaring, roars, barking, growling, snarling, meowing, bleating, neighing, trumpeting",
+    "roaring": "roaring, roars, barking, growling, snarling, meowing, bleating, neighing, "
+    "trumpeting",
     "grazing": "grazing, grazes, drinking, sniffing",
 }
 AS_DRAWN: dict[str, frozenset[str]] = {
