@@ -58,9 +58,16 @@ def test_legs_are_found_under_the_trunk(noun):
         assert low[2] < leg.hoof <= float(leg.high[2]) < found.spine < high[2]
         assert float(leg.low[0]) < leg.middle[0] < float(leg.high[0]) <= high[0] + 0.05
         assert leg.radius < leg.middle[0] + 0.05
+        assert float(leg.high[1] - leg.low[1]) < 3.5 * leg.radius
         assert found.belly < float(leg.joint[2]) < leg.above
     assert found.front.high[1] < found.hind.low[1]
     assert low[1] < found.front.middle[1] < found.hind.middle[1] < high[1]
+
+
+def test_what_is_around_a_hoof_ends_where_the_belly_hangs_lower_than_the_leg_begins():
+    found = four_legs("bear", 0)
+    assert found is not None
+    assert found.front.hoof < float(found.front.high[2]) - 0.02
 
 
 @pytest.mark.slow
@@ -99,6 +106,10 @@ def test_what_sits_or_crawls_has_none():
         ("a standing bear", ""),
         ("a sitting rabbit", ""),  # as it is drawn
         ("a standing owl", ""),
+        ("a perched owl", ""),
+        ("a flying bat", ""),
+        ("a swimming shark", ""),
+        ("a flying dragon", "flying"),
     ],
 )
 def test_a_pose_is_understood_and_nothing_is_left_out(prompt, pose):
@@ -139,7 +150,7 @@ def test_the_animals_of_the_words_are_animals():
     animals = {*GROUPS["Animals"], *GROUPS["Wild Animals"], "griffin"}
     assert animals >= FOUR_LEGGED | SITTING | LYING and FOUR_LEGGED >= GRAZING
     assert not FOUR_LEGGED & (SITTING | LYING) and not SITTING & LYING
-    assert set(POSES) == {pose for pose in POSES if pose_of("horse", pose)[0] == pose}
+    assert set(POSES) == {pose for pose in POSES if pose_of("pegasus", pose)[0] == pose}
 
 
 def test_who_sits_is_on_its_rump_and_on_upright_front_legs():

@@ -235,6 +235,7 @@ POSES: dict[PoseWord, Callable[[Animal], Pose]] = {
     "howling": partial(_looks, up=42),
     "roaring": partial(_looks, up=22),
     "grazing": _grazes,
+    "flying": partial(_moves, angles=(-50, -38, -62, -50), tilt=12, head=0),
 }
 
 

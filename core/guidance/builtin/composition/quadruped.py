@@ -94,17 +94,17 @@ class _Grid:
         feet = [labels == k for k in range(1, count + 1) if not (labels[0] == k).any()]
         if len(feet) != 2:
             return None
-        first, second = sorted(feet, key=lambda foot: float(foot.nonzero()[1].mean()))
-        front, hind = self._leg(first, second), self._leg(second, first)
+        feet.sort(key=lambda foot: float(foot.nonzero()[1].mean()))
+        front, hind = map(self._leg, feet)
         return (front, hind) if front and hind else None
 
-    def _leg(self, foot: Area, other: Area) -> Leg | None:
-        """Upwards from a foot, as long as it is apart from the other one and no wider."""
+    def _leg(self, foot: Area) -> Leg | None:
+        """Upwards from a foot, as long as it gets no wider."""
         areas = [foot]
         for level in range(self.first + 1, LEVELS):
             labels, _ = ndimage.label(self.inside[level])
             own = np.isin(labels, labels[areas[-1] & (labels > 0)])
-            if not own.any() or (own & other).any() or self._is_wider(own, areas):
+            if not own.any() or self._is_wider(own, areas):
                 break
             areas.append(own)
         top = float(self.z[self.first + len(areas) - 1])

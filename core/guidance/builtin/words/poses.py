@@ -19,6 +19,7 @@ PoseWord = Literal[
     "howling",
     "roaring",
     "grazing",
+    "flying",
 ]
 
 # The animals that are drawn standing on four legs: ``core/tests/test_animal_poses.py`` measures it.
@@ -30,9 +31,15 @@ FOUR_LEGGED = frozenset(
 GRAZING = frozenset(
     "horse donkey cow bull sheep deer giraffe unicorn zebra rhino camel llama goat moose".split()
 ) | {"pegasus", "elephant"}
-# They are drawn sitting, or on their bellies.
+WINGED = frozenset("dragon pegasus griffin".split())
+# They are drawn sitting, on their bellies, flying, swimming.
 SITTING = frozenset("rabbit squirrel koala panda monkey kangaroo beaver frog skunk hamster".split())
 LYING = frozenset("crocodile lizard turtle seal walrus snake mouse".split())
+FLYING = frozenset("bat butterfly bee dragonfly pterodactyl phoenix".split())
+SWIMMING = frozenset(
+    """fish clownfish koi pufferfish seahorse stingray jellyfish octopus whale orca dolphin shark
+    turtle seal walrus axolotl duck goose swan""".split()
+)
 
 WORDS: dict[PoseWord, str] = {
     "rearing": "rearing, rears, reared, rampant, upright",
@@ -46,11 +53,15 @@ WORDS: dict[PoseWord, str] = {
     "roaring": "roaring, roars, barking, growling, snarling, meowing, bleating, neighing, "
     "trumpeting",
     "grazing": "grazing, grazes, drinking, sniffing",
+    "flying": "flying, flies, soaring, hovering",
 }
+OF_SOME: dict[PoseWord, frozenset[str]] = {"grazing": GRAZING, "flying": WINGED}
 AS_DRAWN: dict[str, frozenset[str]] = {
-    "standing, stands, stood": frozenset(),  # all that is not drawn otherwise
+    "standing, stands, stood, perched, perching": frozenset(),  # all that is not drawn otherwise
     WORDS["sitting"]: SITTING,
     WORDS["lying"]: LYING,
+    WORDS["flying"]: FLYING,
+    "swimming, swims, floating, diving": SWIMMING,
 }
 _HIND_LEGS = re.compile(
     r"\b(?:(?:standing|stands|walking|dancing|sitting|up|rearing) )*on (?:(?:its|his|her|their|two|"
@@ -70,7 +81,7 @@ def pose_of(noun: str, prompt: str) -> tuple[PoseWord, list[str]]:
     text = re.sub(r"[\W_]+", " ", prompt.lower())
     for pose, words in WORDS.items():
         stated = [word for word in words.split(", ") if says(text, word)]
-        if stated and noun in FOUR_LEGGED and (pose != "grazing" or noun in GRAZING):
+        if stated and noun in FOUR_LEGGED & OF_SOME.get(pose, FOUR_LEGGED):
             return pose, stated
     if not is_animal(noun):
         return "", []
