@@ -205,7 +205,8 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
     """With eyelids, in a shade of what is around them, over the eyes."""
     face = next((one for one in paints if one.name in FACES), paints[0])
     lid = face._replace(color=tuple(LID * x for x in face.color), pattern="")
-    return (lid._replace(name=one.name) if one.name in EYES else one for one in paints)
+    shut = (*EYES, *IN_EYES)
+    return (lid._replace(name=one.name) if one.name in shut else one for one in paints)
 
 
 def unsized(words: Words) -> Iterator[str]:
