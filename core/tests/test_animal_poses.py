@@ -166,6 +166,44 @@ def test_who_sits_is_on_its_rump_and_on_upright_front_legs():
     assert height(dog) > 1.05 * height(body("a dog"))
 
 
+def test_a_front_leg_goes_on_up_to_where_it_comes_out_of_the_trunk():
+    trunk, leg, *_ = composed("a sitting dog").made.things[0].pose.bones
+    ((_, end, _),) = leg.regions[0].capsules
+    shoulder = animal("a dog").pairs[FRONT].joint[None]
+    assert float(end[2]) > float(shoulder[0, 2]) + 0.1
+    assert float(leg.place.out(end[None])[0, 2]) >= float(trunk.place.out(shoulder)[0, 2])
+
+
+def test_what_comes_out_of_the_trunk_is_as_the_leg_and_not_as_what_is_around_it():
+    first, _ = posed("a sitting lion")
+    leg, bone = animal("a lion").pairs[FRONT], first.pose.bones[1]
+    angle = torch.linspace(0, 2 * math.pi, 12)
+    rim = torch.stack([angle.cos(), angle.sin()], 1) * 0.95 * leg.radius
+    points = torch.cat([leg.middle + rim, (leg.high[2] + 0.06).expand(12, 1)], 1)
+    names, parts = list(looks("lion")), first.parts()
+    assert parts is not None
+    found = parts.distances(bone.out(points))
+    assert {names[k] for k in found.argmin(1).tolist()} == {"body"}
+    assert (found.amin(1).abs() < 0.05).all()
+    inside = first.rest.parts().distances(points)
+    assert "mane" in {names[k] for k in inside.argmin(1).tolist()}  # as it is in the trunk
+
+
+def test_a_mane_around_a_head_goes_with_it_and_one_along_a_neck_is_bent():
+    kept = []
+    for noun in ("lion", "horse"):
+        first, there = posed(f"a howling {noun}")
+        whole = body(noun)
+        front = whole.verts[:, 1] < animal(f"a {noun}").between  # not the tail's tip
+        mane, eyes = whole.among("mane") & front, whole.among("eyes")
+        scale = first.pose.bones[0].place.scale
+        before, after = (
+            torch.cdist(of[mane], of[eyes]) for of in (whole.verts, there.verts / scale)
+        )
+        kept.append(float((after / before - 1).abs().quantile(0.9)))
+    assert kept[0] < 0.02 < kept[1]
+
+
 def test_both_sides_of_who_sits_are_alike():
     _, dog = posed("a sitting dog")
     _, *legs = composed("a sitting dog").made.things[0].pose.bones

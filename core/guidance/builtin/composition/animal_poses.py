@@ -112,8 +112,8 @@ class Animal:
     @property
     def _has_ruff(self) -> bool:
         """Whether its mane is around the head, as a lion's, not along the neck."""
-        mane = self.body.of_parts("mane")
-        return len(mane) > 0 and float(mane[:, 1].amax()) < self.between
+        aside, leg = self.body.of_parts("mane")[:, 0].abs(), self.pairs[FRONT]
+        return len(aside) > 0 and float(aside.amax()) > float(leg.middle[0]) + leg.radius
 
     def posed(self, trunk: Placement, swings: Swings, head: float) -> Pose:
         """The pose with the trunk in such a place and the head raised by so many degrees against
@@ -142,7 +142,8 @@ class Animal:
             end = at - leg.hidden * DOWN
         capsule = (start, end, leg.radius + self.padded)
         place = joint(at, turn, to + swing.out * (turn @ DOWN))
-        return Bone((Region(upper, (capsule,)), Region(lower)), place)
+        top = float(leg.high[2]) - leg.radius / 2 if swing.out > 0 else math.inf
+        return Bone((Region(upper, (capsule,)), Region(lower)), place, top=top)
 
 
 Box = tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]

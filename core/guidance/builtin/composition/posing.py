@@ -5,6 +5,7 @@ an exact inverse, so that the posed thing's distances are known everywhere. The 
 neighbours overlap at their joint in a ball, so that it is filled.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -40,13 +41,15 @@ class Bone:
     place: Placement
     within: bool = True
     bend: Fan | None = None  # of the rest pose, before it is placed
+    top: float = math.inf  # z in the rest pose; above it is as at this height
 
     def moved(self, by: Float[Tensor, " 3"]) -> "Bone":
         """The bone of a thing moved by so much."""
         back = by - self.place.turn @ by * self.place.scale
         regions = tuple(region.moved(by) for region in self.regions)
         bend = self.bend and self.bend.moved(by)
-        return replace(self, regions=regions, place=self.place.moved(back), bend=bend)
+        top = self.top + float(by[2])
+        return replace(self, regions=regions, place=self.place.moved(back), bend=bend, top=top)
 
     def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
         """Points of the rest pose in the pose."""
@@ -56,6 +59,10 @@ class Bone:
         """Points of the pose in the rest pose."""
         points = self.place.into(points)
         return self.bend.into(points) if self.bend else points
+
+    def like(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the rest pose, or those which they are like."""
+        return torch.cat([points[:, :2], points[:, 2:].clamp_max(self.top)], 1)
 
     def seen(self, surface: Float[Tensor, "b 7 s s"]) -> Float[Tensor, "b 7 s s"]:
         """The pictures' normals and points in the rest pose."""
@@ -143,7 +150,7 @@ class Pose:
             found, bone = torch.zeros_like(points[:, 0]), self.bone_at(known, points)
             for index, one in enumerate(self.bones):
                 here = (bone == index).nonzero().squeeze(1)
-                own = rest.heights(one.into(points[here]), area[here])
+                own = rest.heights(one.like(one.into(points[here])), area[here])
                 found[here] = own * one.place.scale
             return found
 
@@ -160,7 +167,7 @@ class Pose:
             rest = bone.into(points)
             gap = bone.gap(rest)
             near = gap < KNOWN
-            own = known(rest[near])
+            own = known(bone.like(rest[near]))
             whole = gap[:, None].expand(-1, own.shape[1]).clone()
             whole[near] = torch.maximum(own, gap[near, None])
             found.append(whole * bone.place.scale)

@@ -10,7 +10,7 @@ Standard library only, so that ``run.py words`` and the panel need not load a ne
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -18,18 +18,16 @@ from typing import Any
 from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.asking import asked_for
 from core.guidance.builtin.words.companion_fit import Found, Read
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
-from core.guidance.builtin.words.companion_words import CLOTHING, ON_BODIES, is_dressed
+from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
-from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary, look_up
-from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.part_names import own_name, owns
+from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.words.part_names import own_name
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
 from core.guidance.builtin.words.poses import in_a_word, pose_of
@@ -43,9 +41,10 @@ from core.guidance.builtin.words.prompt_errors import (
 )
 from core.guidance.builtin.words.reading import Reading
 from core.guidance.builtin.words.roles import first_names, undisguised
-from core.guidance.builtin.words.slots import Companion, Words
+from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, SHAPES, WEATHERS
+from core.guidance.builtin.words.with_companions import with_companions, without_look
+from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 
 W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"
@@ -68,9 +67,6 @@ NEXT_TO = re.compile(
     rf"(?:right )?(?:next to|beside){_ANOTHER}",
     re.IGNORECASE,
 )
-SUITS = re.compile(r"\b(?:suit|tuxedo)\b", re.IGNORECASE)
-SHAPED = tuple(f": made {shape}." for shape in SHAPES)
-ITS_SIZE = ("times its usual size.", "the size of a grown one.")
 
 
 def understood(
@@ -192,7 +188,7 @@ def _side_by_side(
         if whole and first.noun != other.noun:
             if joins is BARE_AND:
                 other = _with_shared_look(first, prompt[: joined.start()], phrase, other)
-            pair = _together(first, [Found("beside", phrase, other)])
+            pair = with_companions(first, [Found("beside", phrase, other)])
             return replace(pair, companions=(*first.companions, *pair.companions))
     return None
 
@@ -209,7 +205,7 @@ def _row(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words | None:
     if len({one.noun for one in (first, *others)}) < len(phrases):
         return None
     pairs = zip(phrases[1:], others, strict=True)
-    return _together(first, [Found("beside", phrase, other) for phrase, other in pairs])
+    return with_companions(first, [Found("beside", phrase, other) for phrase, other in pairs])
 
 
 def _is_one_name(phrase: str) -> bool:
@@ -221,7 +217,7 @@ def _is_one_name(phrase: str) -> bool:
 
 def _with_shared_look(first: Words, before: str, phrase: str, other: Words) -> Words:
     """The second of two with the material and the colour before both: "a wooden desk and chair"."""
-    said = _without_look(before) != before and ends_in_name(before, first.noun)
+    said = without_look(before) != before and ends_in_name(before, first.noun)
     both = ARTICLE.match(before) and other.material + other.color + other.pattern == ""
     colored = any(other.noun in GROUPS[group] for group in NATURAL)
     if not (said and both) or phrase.split()[0].lower() in ARTICLES:
@@ -243,7 +239,7 @@ def _parsed(
             words = _parse_alone(rest, True, known, ignore_unknown)
         except UserError:  # the rest is not a prompt by itself
             return _parse_alone(prompt, True, known, ignore_unknown)
-        return _together(words, companions)
+        return with_companions(words, companions)
     return _parse_alone(prompt, True, known, ignore_unknown)
 
 
@@ -275,7 +271,7 @@ def _companions(
             if not any(_are_equivalent(more, other) for other in found):
                 # The prompt states neither it nor a look, which would not be a statue's.
                 quiet = replace(more.words, notes=(), left_out=())
-                found.append(more._replace(words=quiet, phrase=_without_look(more.phrase)))
+                found.append(more._replace(words=quiet, phrase=without_look(more.phrase)))
     return found, rest
 
 
@@ -340,68 +336,6 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)
-
-
-def _together(words: Words, found: Iterable[Found]) -> Words:
-    """The thing with these companions, and their notes."""
-    found = list(found)
-    companions = tuple(Companion(one.relation, _matched(words, one), one.verb) for one in found)
-    words = replace(words, accents=(*words.accents, *_of_suits(words, found)))
-    does = (pose_of(words.noun, one.verb)[0] for one in found)
-    words = replace(words, pose=words.pose or next(filter(None, does), ""))
-    notes = (_about(note, one.words.noun) for one in companions for note in one.words.notes)
-    left_out = (word for one in companions for word in one.words.left_out)
-    return replace(
-        words,
-        companions=companions,
-        notes=tuple(dict.fromkeys((*words.notes, *notes))),
-        left_out=tuple(dict.fromkeys((*words.left_out, *left_out))),
-    )
-
-
-def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
-    """The trousers of a worn suit, for a wearer with other ones."""
-    if words.is_statue:
-        return
-    stated = {words.target, *(accent.part for accent in words.accents)}
-    for one in found:
-        suit = one.relation == "wears" and one.words.noun == "jacket" and SUITS.search(one.phrase)
-        if suit and owns(words.noun, "trousers") and "trousers" not in stated:
-            other = one.words
-            pattern = (other.pattern, other.second, other.second_form) if other.pattern else ()
-            yield Accent("trousers", other.color, other.color_form, "", "", "", *pattern)
-
-
-def _matched(first: Words, found: Found) -> Words:
-    """Companions of a statue have its material, unless one is stated."""
-    words = found.words
-    if found.relation == "wears" and words.noun in CLOTHING:  # it is as large as its wearer
-        notes = tuple(note for note in words.notes if not note.endswith((*ITS_SIZE, *SHAPED)))
-        words = replace(words, scale=1.0, size=None, shape="", notes=notes)
-    joined = found.relation in ("wears", "holds") or is_creature(words.noun)
-    if not (first.is_statue and joined) or _states_look(found.phrase):
-        return words
-    form = first.material_form
-    plain = {"color": "", "color_form": "", "second": "", "second_form": "", "target": ""}
-    of = {"material": first.material, "material_form": form, "accents": ()}
-    return replace(words, is_statue=True, **plain, **of)
-
-
-def _states_look(phrase: str) -> bool:
-    """Whether it names a colour or a material: a tuxedo is black by itself."""
-    return phrase.split() != _without_look(phrase).split()
-
-
-def _without_look(phrase: str) -> str:
-    """The phrase without the colours and materials that it names."""
-    entries = {word: look_up(word.lower(), SLOTS) for word in phrase.split()}
-    looks = {word for word, one in entries.items() if one and one.slot in ("color", "material")}
-    return " ".join(word for word in phrase.split() if word not in looks)
-
-
-def _about(note: str, noun: str) -> str:
-    """A note on a companion, which would be taken for the first thing otherwise."""
-    return note.replace(": made ", f": the {noun} is made ") if note.endswith(ITS_SIZE) else note
 
 
 def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
