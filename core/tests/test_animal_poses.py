@@ -6,11 +6,13 @@ from dataclasses import replace
 import pytest
 import torch
 
+from core.geometry.fan import Fan
 from core.geometry.parts.assembly import assembled
+from core.geometry.union import clipped
 from core.guidance.builtin.composition import poses
 from core.guidance.builtin.composition.animal_poses import FRONT, HIND, POSES, Animal
 from core.guidance.builtin.composition.composed import OWN_POSE, UNPOSED, Composed
-from core.guidance.builtin.composition.placement import Body
+from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import Bone, Pose, Posed, PosedParts
 from core.guidance.builtin.composition.quadruped import Quadruped
 from core.guidance.builtin.guidance import PromptedBuiltin
@@ -19,6 +21,7 @@ from core.guidance.builtin.painted_solid import IN_EYES, LID
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.poses import FOUR_LEGGED, GRAZING, LYING, SITTING, pose_of
 from core.guidance.builtin.words.vocabulary import parse, understood
+from core.render.normals import face_normals, vertex_normals
 from core.tests.drawn_things import body, composed, shipped_prior
 
 
@@ -207,6 +210,42 @@ def test_a_mane_around_a_head_goes_with_it_and_one_along_a_neck_is_bent():
     assert kept[0] < 0.02 < kept[1]
 
 
+def gaze(of: Body) -> float:
+    """The pitch from the eyes to the nose, in degrees."""
+    way = of.of_parts("nose").mean(0) - of.of_parts("eyes").mean(0)
+    return math.degrees(math.atan2(float(way[2]), -float(way[1])))
+
+
+@pytest.mark.parametrize(("pose", "most"), [("sitting", 22), ("rearing", 35)])
+def test_who_is_steep_does_not_look_up_as_steeply(pose, most):
+    _, dog = posed(f"a {pose} dog")
+    assert 0 < gaze(dog) - gaze(body("a dog")) < most
+    assert pitch(composed(f"a {pose} dog").made.things[0].pose.bones[0]) > most + 10
+
+
+def test_hind_legs_on_the_ground_are_short_and_at_the_sides():
+    first, cat = posed("a lying cat")
+    hind, scale = animal("a cat").pairs[HIND], first.pose.bones[0].place.scale
+    mine = first.pose.owner(body("a cat").verts) == 3
+    leg = cat.verts[mine] / scale
+    aside = float(leg[:, 0].mean() - hind.middle[0])
+    assert 0.4 * hind.radius < aside < 1.2 * hind.radius
+    assert float(leg[:, 1].max() - leg[:, 1].min()) < 5 * hind.radius
+    verts = clipped((body("a cat").verts, body("a cat").faces), first.pose.bones[3].regions, True)
+    assert float(verts[0][:, 2].max()) < hind.low[2] + 5.5 * hind.radius
+
+
+def test_a_raised_tail_is_not_bent_with_the_head():
+    first, there = posed("a howling cat")
+    cat, middle = body("a cat"), animal("a cat").between
+    moved = there.verts / first.pose.bones[0].place.scale
+    moved = moved - (moved - cat.verts)[cat.verts[:, 2].argmin()]
+    behind = cat.verts[:, 1] > middle
+    assert float(cat.verts[behind, 2].max()) > animal("a cat").spine + 0.2  # its tail
+    torch.testing.assert_close(moved[behind], cat.verts[behind], atol=1e-4, rtol=0)
+    assert float((moved - cat.verts).norm(dim=1).max()) > 0.1
+
+
 def test_both_sides_of_who_sits_are_alike():
     _, dog = posed("a sitting dog")
     _, *legs = composed("a sitting dog").made.things[0].pose.bones
@@ -310,6 +349,47 @@ def test_a_posed_animal_is_known_where_its_surface_is(prompt):
     torch.testing.assert_close(drawn, parts.distances(there.verts).amin(1), atol=0.02, rtol=0)
 
 
+def test_a_bone_goes_with_what_is_moved():
+    bend = Fan(torch.tensor([0.1, 0.0]), -1.4, -0.3, 1.2, 2.9, 0.5)
+    turn = animal("a dog").posed(Placement.of(), (), 0).bones[0].place.turn
+    bone = Bone((), Placement(0.8, torch.tensor([0.1, 0.2, -0.1]), turn), False, bend, 0.2)
+    by, points = torch.tensor([0.3, -0.2, 0.4]), torch.rand(40, 3)
+    moved = bone.moved(by)
+    torch.testing.assert_close(moved.out(points + by), bone.out(points) + by)
+    torch.testing.assert_close(moved.into(bone.out(points) + by), points + by)
+    torch.testing.assert_close(moved.like(points + by), bone.like(points) + by)
+    assert float(bone.like(points)[:, 2].max()) == pytest.approx(0.2)
+
+
+def test_what_is_around_a_posed_animal_is_as_far_from_it_as_at_rest():
+    first, _ = posed("a lying giraffe")
+    giraffe, bone = body("a giraffe"), first.pose.bones[0]
+    out = vertex_normals(giraffe.verts, giraffe.faces)
+    points = giraffe.verts + 0.03 * out / out.norm(dim=1, keepdim=True).clamp_min(1e-9)
+    own = first.pose.owner(giraffe.verts) == 0
+    own &= giraffe.verts[:, 2] > animal("a giraffe").spine
+    rest = first.rest.parts().distances(points[own]).amin(1)
+    found = first.parts().distances(bone.out(points[own])).amin(1)
+    assert bone.place.scale > 1.06 and float(rest.median()) > 0.02
+    near = (found - rest * bone.place.scale).abs() < 1e-4
+    assert float(near.float().mean()) > 0.95
+
+
+def test_what_stands_out_of_a_bent_neck_is_as_high_as_at_rest():
+    first, there = posed("a howling sheep")
+    rest, fields = first.rest.area_fields(), first.area_fields()
+    assert rest is not None and fields is not None
+    sheep = body("a sheep")
+    _, depths = rest.near(sheep.verts)
+    area = depths.argmax(1)
+    before, after = rest.heights(sheep.verts, area), fields.heights(there.verts, area)
+    scale = first.pose.bones[0].place.scale
+    curls = before.abs() > 1e-4
+    moved = ((there.verts - sheep.verts * scale) / scale).std(0).max()
+    assert curls.sum() > 100 and float(moved) > 0.01
+    torch.testing.assert_close(after[curls], before[curls] * scale, atol=2e-4, rtol=0.02)
+
+
 @pytest.mark.parametrize("prompt", ["a sitting dog", "a running corgi", "a sleeping lion"])
 def test_a_posed_animal_is_closed_and_of_one_component(prompt):
     import trimesh
@@ -325,8 +405,6 @@ def test_normals_of_a_bent_head_are_seen_at_rest():
     first, there = posed("a howling wolf")
     wolf = body("a wolf")
     own = wolf.among("nose", "muzzle", "eyes")[wolf.faces].all(1)
-    from core.render.normals import face_normals
-
     rest, bent = (face_normals(verts, wolf.faces)[own] for verts in (wolf.verts, there.verts))
     rest, bent = (of / of.norm(dim=1, keepdim=True) for of in (rest, bent))
     points = there.verts[wolf.faces[own]].mean(1)
