@@ -50,6 +50,13 @@ def test_a_part_with_a_color_is_named_once():
     assert words.summary(report) == "mug, blue, thick red handle"
 
 
+def test_its_pose_is_named_after_it_and_before_another_thing():
+    report = words.ask(CORE, ("a sleeping grey cat", False))
+    assert words.summary(report) == "cat, sleeping, grey"
+    report = words.ask(CORE, ("a knight riding a rearing white horse", False))
+    assert words.summary(report) == "knight, on: rearing white horse"
+
+
 def test_what_is_written_or_drawn_on_it_is_named():
     report = words.ask(CORE, ('a white mug with a red heart that says "HELLO"', False))
     assert words.summary(report) == 'mug, white, "HELLO", red heart'

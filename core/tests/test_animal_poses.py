@@ -278,6 +278,9 @@ def test_who_sleeps_has_its_head_down_and_its_eyes_closed():
     paints = {paint.name: paint for paint in closed.things[0].of_object(0).painted.paints}
     assert paints["eyes"].color == tuple(LID * x for x in paints["body"].color)
     assert {one.name: one for one in awake.painted.paints}["eyes"].color != paints["eyes"].color
+    sheep = shipped_prior().prompted("a sleeping sheep", "").of_object(0).things[0]
+    shades = {one.name: one.color for one in sheep.of_object(0).painted.paints}
+    assert shades["eyes"] == tuple(LID * x for x in shades["head"])
     dragon = shipped_prior().prompted("a sleeping dragon", "").of_object(0).things[0]
     shades = {one.name: one.color for one in dragon.of_object(0).painted.paints}
     assert shades["pupils"] == shades["eyes"] == tuple(LID * x for x in shades["body"])
