@@ -18,6 +18,7 @@ from core.geometry.struts import MOST_STRUTS, struts
 
 ROUND = 16  # segments of a strut's ends
 JOINT = 48  # of a joint's
+WHOLE = 1 - 1e-6  # of a mesh's volume: nothing is cut off
 
 
 def union(
@@ -58,11 +59,15 @@ class Region(NamedTuple):
 
 
 def clipped(
-    mesh: tuple[Tensor, Tensor], regions: Sequence[Region], within: bool
+    mesh: tuple[Tensor, Tensor], regions: Sequence[Region], within: bool, least: float = 0.0
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """The part of a closed mesh within regions, or outside all of them; maybe nothing."""
+    """The part of a closed mesh within regions, or outside all of them; maybe nothing. What is cut
+    off and has less than the volume ``least`` is left out."""
     solid, room = _solid(*mesh), _added(map(_room, regions))
-    made = ((solid ^ room) if within else (solid - room)).to_mesh()
+    cut = (solid ^ room) if within else (solid - room)
+    if least and cut.volume() < WHOLE * solid.volume():
+        cut = _added(one for one in cut.decompose() if one.volume() >= least)
+    made = cut.to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
     return torch.from_numpy(np.array(verts)).to(mesh[0]), torch.from_numpy(faces).to(mesh[1].device)
 

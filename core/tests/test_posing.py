@@ -18,7 +18,7 @@ from core.guidance.builtin.composition.posing import Bone, Pose, Posed, joint
 from core.guidance.builtin.composition.sitting import posture_of, seated
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import Views
-from core.tests.drawn_things import body, composed, shipped_prior
+from core.tests.drawn_things import body, box, composed, shipped_prior
 
 QUARTER = torch.tensor([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # down to the front
 
@@ -139,6 +139,20 @@ def test_a_mesh_is_cut_by_regions_into_closed_meshes():
     assert float(outside[0][:, 0].amax()) == pytest.approx(0.0, abs=0.01)
     far = Region((high + 1, high + 2))
     assert not len(clipped(whole, [far], True)[1])
+
+
+def test_a_crumb_that_is_cut_off_is_left_out_and_a_small_mesh_is_not():
+    crate = box([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])
+    far, near = torch.tensor([0.9, 2.0, 2.0]), torch.tensor([-1.0, -1.0, -1.0])
+    regions = (Region((near, far)),)  # a slab of a tenth is outside
+    for least, left in ((0.05, True), (0.2, False)):
+        _, faces = clipped((crate.verts, crate.faces), regions, False, least)
+        assert (len(faces) > 0) == left
+    _, faces = clipped((crate.verts, crate.faces), regions, True, 0.2)
+    assert len(faces)
+    beside = (Region((near - 5, near)),)
+    _, faces = clipped((crate.verts * 0.1, crate.faces), beside, False, 0.2)
+    assert len(faces) == len(crate.faces)
 
 
 def test_the_bottom_is_on_the_seat_and_the_shins_are_before_it():

@@ -27,6 +27,7 @@ from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.solid import Solid
 from core.guidance.guidance import Predictions, Surface, Views
 
+CRUMB = 1.5e-4  # cubic training units: what is cut off and smaller belongs to a neighbour
 NOWHERE = 9.0  # training units: the distance from no region at all
 KNOWN = 0.12  # training units: what is farther from a bone's region is not looked at
 
@@ -206,9 +207,8 @@ class PosedParts(KnownParts):
         key = (component, index, exact)
         if key not in self._cut_off:
             bone = self.pose.bones[index]
-            verts, faces = clipped(
-                self.rest.surface_of(component, exact), bone.regions, bone.within
-            )
+            surface = self.rest.surface_of(component, exact)
+            verts, faces = clipped(surface, bone.regions, bone.within, CRUMB)
             self._cut_off[key] = bone.out(verts), faces
         return self._cut_off[key]
 

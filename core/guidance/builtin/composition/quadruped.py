@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 from scipy import ndimage
 from torch import Tensor
 
@@ -90,19 +90,20 @@ class _Grid:
 
     def legs(self) -> tuple[Leg, Leg] | None:
         """The front one and the hind one."""
-        labels, count = ndimage.label(self.inside[self.first])
-        feet = [labels == k for k in range(1, count + 1) if not (labels[0] == k).any()]
+        labels = _labels(self.inside[self.first])
+        apart = range(1, int(labels.max()) + 1)
+        feet = [labels == k for k in apart if not (labels[0] == k).any()]
         if len(feet) != 2:
             return None
         feet.sort(key=lambda foot: float(foot.nonzero()[1].mean()))
-        front, hind = map(self._leg, feet)
+        front, hind = self._leg(feet[0]), self._leg(feet[1])
         return (front, hind) if front and hind else None
 
     def _leg(self, foot: Area) -> Leg | None:
         """Upwards from a foot, as long as it gets no wider."""
         areas = [foot]
         for level in range(self.first + 1, LEVELS):
-            labels, _ = ndimage.label(self.inside[level])
+            labels = _labels(self.inside[level])
             own = np.isin(labels, labels[areas[-1] & (labels > 0)])
             if not own.any() or self._is_wider(own, areas):
                 break
@@ -121,7 +122,7 @@ class _Grid:
         low = start + (places.amin(0) - 1) * cells
         high = start + (places.amax(0) + 1) * cells
         ends = torch.tensor([[float(self.z[0]) - radius], [top]])
-        low, high = torch.cat([torch.stack([low, high]), ends], 1)
+        low, high = torch.cat([torch.stack([low, high]), ends], 1).unbind()
         hoof = self._apart(areas, low - ROOM * radius, high + ROOM * radius)
         return Leg(low, high, hoof, middle, radius, self.column(*middle.tolist())[1])
 
@@ -144,7 +145,14 @@ class _Grid:
     def column(self, x: float, y: float) -> tuple[float, float]:
         """The lowest and the highest z of the trunk at such a place."""
         i, j = int((self.x - x).abs().argmin()), int((self.y - y).abs().argmin())
-        labels, _ = ndimage.label(self.inside[:, i, j])
+        labels = _labels(self.inside[:, i, j])
         sizes = np.bincount(labels)[1:]
         runs = (labels == sizes.argmax() + 1).nonzero()[0] if len(sizes) else np.array([0])
         return float(self.z[runs[0]]), float(self.z[runs[-1]])
+
+
+def _labels(inside: Bool[np.ndarray, "*n"]) -> Int[np.ndarray, "*n"]:
+    """The number of each place's connected area, from 1 on; 0 outside."""
+    labels = np.zeros(inside.shape, np.int32)
+    ndimage.label(inside, output=labels)
+    return labels
