@@ -22,7 +22,7 @@ FIRST = (
     "a blue robot with yellow eyes and red limbs",
     "an astronaut riding a horse",
     "a bucket of red apples",
-    "a corgi wearing a green scarf",
+    "a sitting corgi wearing a red scarf",
 )
 SHOWN = ("normal", "base_color", "cycles")
 VIEW = ("--azimuth-deg", "30", "--elevation-deg", "20")
