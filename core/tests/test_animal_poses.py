@@ -11,8 +11,9 @@ from core.geometry.parts.assembly import assembled
 from core.geometry.union import clipped
 from core.guidance.builtin.composition import poses
 from core.guidance.builtin.composition.animal_poses import FRONT, HIND, POSES, Animal
-from core.guidance.builtin.composition.composed import OWN_POSE, UNPOSED, Composed
+from core.guidance.builtin.composition.composed import OWN_POSE, Composed
 from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.poses import UNPOSED
 from core.guidance.builtin.composition.posing import Bone, Pose, Posed, PosedParts
 from core.guidance.builtin.composition.quadruped import Quadruped
 from core.guidance.builtin.guidance import PromptedBuiltin

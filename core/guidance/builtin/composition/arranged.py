@@ -19,7 +19,7 @@ from core.guidance.builtin.composition.resting import (
     within,
 )
 from core.guidance.builtin.composition.wearing import worn
-from core.guidance.builtin.words.companion_words import CONTAINERS, EDIBLE
+from core.guidance.builtin.words.companion_words import CLOTHING, CONTAINERS, EDIBLE
 from core.guidance.builtin.words.companions import Relation
 
 EACH = ("wears", "holds")  # relations of each copy by itself
@@ -81,8 +81,12 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
     borne.sort(key=lambda other: -other.metres * float(other.sides[2]))
     for how, other in others:
         if how == "holds":
-            found.append(held(other, there.standing or there, held_already))
+            place = held(other, there.standing or there, held_already)
+            found.append(_carried(place, there))
             held_already = True
+        elif how == "wears" and other.words.noun not in CLOTHING:
+            wearer = there.standing if there.standing and there.carried else there
+            found.append(_carried(worn(other, wearer), there))
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)
         elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
@@ -94,6 +98,11 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
         else:
             found.append(_PLACED[how](other, there))
     return found
+
+
+def _carried(place: Placement, wearer: Body) -> Placement:
+    """A place at who stands, where it is now."""
+    return place if wearer.carried is None else wearer.carried.of_copy(place)
 
 
 _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {

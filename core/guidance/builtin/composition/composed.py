@@ -36,7 +36,6 @@ ALONE = (
     "your mesh or a distilled shape."
 )
 OWN_POSE = "left out, as only what the built-in prior draws itself gets a pose."
-UNPOSED = "left out, as it is not drawn on four legs that are apart."
 UNFIT = "left out, as the thing has no place for it."
 
 Known = TypeVar("Known", AreaFields, KnownParts)
@@ -94,8 +93,7 @@ class Composed(PromptedGuidance):
         size_m = float(sides.max()) * bodies[0].metres / places[0][0].scale
         others = zip(self.things[1:], fits, strict=True)
         unfit = [f"{thing.words.noun}: {UNFIT}" for thing, fit in others if not fit]
-        unfit += [f"{words.noun} {words.pose}: {UNPOSED}" for words in unposed]
-        return self._with(self.alone, Made(drawn, places, size_m, unfit))
+        return self._with(self.alone, Made(drawn, places, size_m, [*unfit, *unposed]))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
         """The first thing alone: a guide has one thing."""

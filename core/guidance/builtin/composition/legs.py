@@ -69,6 +69,11 @@ class Legs:
         """The left joint halfway down; None where the leg is too short for one."""
         if self.crotch - self.sole < KNEED * self.radius:
             return None
+        return self.halfway
+
+    @property
+    def halfway(self) -> Float[Tensor, " 3"]:
+        """Where the left knee is, in however short a leg."""
         return torch.cat([self.middle, torch.tensor([(float(self.hip[2]) + self.sole) / 2])])
 
 

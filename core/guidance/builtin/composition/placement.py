@@ -76,6 +76,7 @@ class Body:
     metres: float = 1.0  # metres of a training unit
     rests: Placement | None = None  # the placement of its seat or mount
     standing: "Body | None" = None  # before it sits, its trunk in the same place
+    carried: Placement | None = None  # if its trunk is not there: from there to where it is
 
     @classmethod
     def of(cls, words: Words, solid: Solid, parts: KnownParts | None = None) -> "Body":
@@ -95,8 +96,11 @@ class Body:
     def placed(self, placement: Placement) -> "Body":
         """The thing at a placement."""
         metres = self.metres / placement.scale
-        standing = self.standing and self.standing.placed(placement)
-        return replace(self, verts=placement.out(self.verts), metres=metres, standing=standing)
+        standing, carried = self.standing and self.standing.placed(placement), self.carried
+        if carried is not None:
+            carried = placement.of_copy(carried).of_copy(placement.inverted())
+        posed = {"standing": standing, "carried": carried}
+        return replace(self, verts=placement.out(self.verts), metres=metres, **posed)
 
     def group(self, copies: "Sequence[Placement]") -> "Body":
         """Several copies of the thing as one."""
@@ -193,3 +197,9 @@ def about_x(angle: float) -> Float[Tensor, "3 3"]:
     """A rotation about the axis from left to right."""
     c, s = math.cos(angle), math.sin(angle)
     return torch.tensor([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def about_y(angle: float) -> Float[Tensor, "3 3"]:
+    """A rotation about the axis from the front to the back."""
+    c, s = math.cos(angle), math.sin(angle)
+    return torch.tensor([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])

@@ -1,4 +1,7 @@
-"""Poses of animals in words: "a sitting dog", "a horse rearing up". Standard library only."""
+"""Poses of animals and figures in words: "a sitting dog", "a running boy".
+
+Standard library only.
+"""
 
 import re
 from typing import Literal
@@ -20,6 +23,9 @@ PoseWord = Literal[
     "roaring",
     "grazing",
     "flying",
+    "kneeling",
+    "crouching",
+    "dancing",
 ]
 
 # The animals that are drawn standing on four legs: ``core/tests/test_animal_poses.py`` measures it.
@@ -41,6 +47,13 @@ SWIMMING = frozenset(
     turtle seal walrus axolotl duck goose swan""".split()
 )
 
+# The figures that are drawn standing on two legs: ``core/tests/test_figure_poses.py`` measures it.
+FIGURES = frozenset(
+    """person boy girl knight robot skeleton astronaut ninja viking goblin zombie alien chef clown
+    cowboy demon doll firefighter monster mummy orc pirate samurai soldier superhero werewolf
+    gnome""".split()
+) | {"police officer", "santa claus"}
+
 WORDS: dict[PoseWord, str] = {
     "rearing": "rearing, rears, reared, rampant, upright",
     "sleeping": "sleeping, asleep, sleeps, napping, dozing, snoozing, curled",
@@ -56,6 +69,17 @@ WORDS: dict[PoseWord, str] = {
     "flying": "flying, flies, soaring, hovering",
 }
 OF_SOME: dict[PoseWord, frozenset[str]] = {"grazing": GRAZING, "flying": WINGED}
+OF_FIGURES: dict[PoseWord, str] = {
+    "sleeping": "sleeping, asleep, sleeps, napping, dozing, snoozing",
+    "kneeling": "kneeling, kneels, kneeled, knelt",
+    "crouching": "crouching, crouched, crouches, squatting, squats",
+    "sitting": "sitting, sits, seated, sit, resting, relaxing, lounging",
+    "lying": "lying, lies, laying, reclining",
+    "leaping": "leaping, leaps, jumping, jumps, hopping",
+    "running": "running, runs, sprinting, sprints, jogging, charging",
+    "walking": "walking, walks, strolling, marching, marches, hiking, strutting, sneaking",
+    "dancing": "dancing, dances",
+}
 AS_DRAWN: dict[str, frozenset[str]] = {
     "standing, stands, stood, perched, perching": frozenset(),  # all that is not drawn otherwise
     WORDS["sitting"]: SITTING,
@@ -68,10 +92,31 @@ _HIND_LEGS = re.compile(
     r"the) )*(?:hind|back|rear) legs?\b",
     re.IGNORECASE,
 )
+_ON_KNEES = re.compile(
+    r"\b(?:(?:kneeling|kneels|down|going|sitting) )*on (?:(?:its|his|her|their|one|a|both|the) )*"
+    r"(?:bended |bent )?knees?\b",
+    re.IGNORECASE,
+)
+_ON_BACK = re.compile(
+    r"\b(?P<pose>lying|lies|laying|sleeping|sleeps|asleep) (?:(?:down|flat) )*on "
+    r"(?:its|his|her|their|the) backs?\b",
+    re.IGNORECASE,
+)
+# A thing's use or sort, not what a figure does: "running shoes", "a walking stick".
+_OF_THINGS = re.compile(
+    r"\b(?:running|walking|jogging|hiking|sleeping|sitting|jumping|dancing|marching|kneeling)"
+    r" (?:shoes?|boots?|sneakers?|trainers?|sandals?|socks?|shorts|gear|suits?|outfits?|clothes|"
+    r"tights|sticks?|canes?|poles?|frames?|staffs?|bags?|masks?|caps?|pills?|rooms?|areas?|"
+    r"jacks?|ropes?|beans?|bands?|dress|gowns?|pads?|beauty|dead|tours?|machines?|water|nose)\b"
+    r"|\brunning (?=an? (?!race|marathon|mile|lap|sprint)\w)"
+)
 
 
 def in_a_word(noun: str, prompt: str) -> str:
-    """The prompt with "rearing" in place of "standing on its hind legs"."""
+    """The prompt with "rearing" in place of "standing on its hind legs", "kneeling" in place of "on
+    one knee"."""
+    if noun in FIGURES:
+        return _ON_BACK.sub(lambda found: found["pose"], _ON_KNEES.sub("kneeling", prompt))
     return _HIND_LEGS.sub("rearing", prompt) if noun in FOUR_LEGGED else prompt
 
 
@@ -79,11 +124,16 @@ def pose_of(noun: str, prompt: str) -> tuple[PoseWord, list[str]]:
     """The pose of the thing in a prompt about it alone, and its words there; a word for the pose in
     which it is drawn is one of these, too."""
     text = re.sub(r"[\W_]+", " ", prompt.lower())
+    if noun in FIGURES:
+        text = _OF_THINGS.sub("", text)
+        for pose, words in OF_FIGURES.items():
+            if stated := [word for word in words.split(", ") if says(text, word)]:
+                return pose, stated
     for pose, words in WORDS.items():
         stated = [word for word in words.split(", ") if says(text, word)]
         if stated and noun in FOUR_LEGGED & OF_SOME.get(pose, FOUR_LEGGED):
             return pose, stated
-    if not is_animal(noun):
+    if not is_animal(noun) and noun not in FIGURES:
         return "", []
     for words, nouns in AS_DRAWN.items():
         stated = [word for word in words.split(", ") if says(text, word)]
