@@ -95,6 +95,8 @@ def test_what_sits_or_crawls_has_none():
         ("a dog lying down", "lying"),
         ("a sleeping cat on a red cushion", "sleeping"),
         ("a cat asleep on a sofa", "sleeping"),
+        ("a cat asleep", "sleeping"),
+        ("a dog seated", "sitting"),
         ("a curled up fox", "sleeping"),
         ("a corgi sitting on a skateboard", "sitting"),
         ("a bear standing on its hind legs", "rearing"),

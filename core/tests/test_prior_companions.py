@@ -280,6 +280,7 @@ def test_the_report_has_each_with_its_looks():
         {
             "relation": "on",
             "thing": "chair",
+            "pose": None,
             "count": 1,
             "order": "row",
             "colours": ["red"],

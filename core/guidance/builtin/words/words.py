@@ -257,6 +257,7 @@ IGNORED_ADJECTIVES = frozenset(
     fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
     handmade decorated evil miniature empty full racing sunburst
     facade entrance interior exterior wreck wreckage ruin ruins remains
+    asleep seated crouched curled
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
     smiling half broken open closed filled surrounded topped toy figurine prop
     ornament stuffed cuddly cut sliced stained bent torn crooked percent
