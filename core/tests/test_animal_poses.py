@@ -54,7 +54,15 @@ def four_legs(noun: str, seed: int) -> Quadruped | None:
     return Quadruped.of(Body.of(drawn.words, drawn.solid), drawn.parts())
 
 
-@pytest.mark.parametrize("noun", ["dog", "horse", "corgi", "elephant"])
+@pytest.mark.parametrize(
+    "noun",
+    [
+        "dog",
+        "corgi",
+        pytest.param("horse", marks=pytest.mark.slow),
+        pytest.param("elephant", marks=pytest.mark.slow),
+    ],
+)
 def test_legs_are_found_under_the_trunk(noun):
     found, whole = four_legs(noun, 0), body(f"a {noun}")
     assert found is not None
@@ -181,6 +189,7 @@ def test_a_front_leg_goes_on_up_to_where_it_comes_out_of_the_trunk():
     assert float(leg.place.out(end[None])[0, 2]) >= float(trunk.place.out(shoulder)[0, 2])
 
 
+@pytest.mark.slow
 def test_what_comes_out_of_the_trunk_is_as_the_leg_and_not_as_what_is_around_it():
     """The mane and the body are both in the trunk there, and would both end at the leg's rim."""
     first = shipped_prior().prompted("a sitting lion", "").of_object(1).made.things[0]
@@ -198,6 +207,7 @@ def test_what_comes_out_of_the_trunk_is_as_the_leg_and_not_as_what_is_around_it(
         assert bool((found[:, 1] - found[:, 0] > 0.01).all()) == apart
 
 
+@pytest.mark.slow
 def test_a_mane_around_a_head_goes_with_it_and_one_along_a_neck_is_bent():
     kept = []
     for noun in ("lion", "horse"):
@@ -238,6 +248,7 @@ def test_hind_legs_on_the_ground_are_short_and_at_the_sides():
     assert float(verts[0][:, 2].max()) < hind.low[2] + 5.5 * hind.radius
 
 
+@pytest.mark.slow
 def test_a_raised_tail_is_not_bent_with_the_head():
     first, there = posed("a howling cat")
     cat, middle = body("a cat"), animal("a cat").between
@@ -317,6 +328,7 @@ def test_the_legs_of_who_runs_are_apart():
     assert feet[0] < feet[1] - 0.02  # the left one is ahead
 
 
+@pytest.mark.slow
 def test_a_howling_wolf_looks_up_on_legs_that_are_as_before():
     howling, wolf = posed("a howling wolf")[0], body("a wolf")
     assert len(howling.pose.bones) == 1
@@ -333,6 +345,7 @@ def test_a_howling_wolf_looks_up_on_legs_that_are_as_before():
     assert float(moved[nose, 2].mean() - wolf.verts[nose, 2].mean()) > 0.15
 
 
+@pytest.mark.slow
 def test_a_grazing_cow_has_its_muzzle_on_the_ground():
     _, cow = posed("a grazing cow")
     up, down = body("a cow"), cow
@@ -342,7 +355,14 @@ def test_a_grazing_cow_has_its_muzzle_on_the_ground():
     assert low[1] < 0.45 * low[0]
 
 
-@pytest.mark.parametrize("prompt", ["a sitting dog", "a rearing horse", "a sleeping pig"])
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a sitting dog",
+        pytest.param("a rearing horse", marks=pytest.mark.slow),
+        pytest.param("a sleeping pig", marks=pytest.mark.slow),
+    ],
+)
 def test_a_posed_animal_is_known_where_its_surface_is(prompt):
     first, there = posed(prompt)
     parts = first.parts()
@@ -367,6 +387,7 @@ def test_a_bone_goes_with_what_is_moved():
     assert float(bone.like(points)[:, 2].max()) == pytest.approx(0.2)
 
 
+@pytest.mark.slow
 def test_what_is_around_a_posed_animal_is_as_far_from_it_as_at_rest():
     first, _ = posed("a lying giraffe")
     giraffe, bone = body("a giraffe"), first.pose.bones[0]
@@ -381,6 +402,7 @@ def test_what_is_around_a_posed_animal_is_as_far_from_it_as_at_rest():
     assert float(near.float().mean()) > 0.95
 
 
+@pytest.mark.slow
 def test_what_stands_out_of_a_bent_neck_is_as_high_as_at_rest():
     first, there = posed("a howling sheep")
     rest, fields = first.rest.area_fields(), first.area_fields()
@@ -396,7 +418,14 @@ def test_what_stands_out_of_a_bent_neck_is_as_high_as_at_rest():
     torch.testing.assert_close(after[curls], before[curls] * scale, atol=2e-4, rtol=0.02)
 
 
-@pytest.mark.parametrize("prompt", ["a sitting dog", "a running corgi", "a sleeping lion"])
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a sitting dog",
+        pytest.param("a running corgi", marks=pytest.mark.slow),
+        pytest.param("a sleeping lion", marks=pytest.mark.slow),
+    ],
+)
 def test_a_posed_animal_is_closed_and_of_one_component(prompt):
     import trimesh
 
@@ -454,6 +483,7 @@ def test_a_stated_height_is_that_of_the_pose():
     assert stated.size_m() * float(tall[2] / tall.max()) == pytest.approx(0.6, rel=0.03)
 
 
+@pytest.mark.slow
 def test_one_rides_a_mount_that_rears():
     guidance = composed("a knight riding a rearing horse")
     knight, horse = guidance.made.things

@@ -148,6 +148,7 @@ def test_the_feet_of_who_runs_are_one_before_the_other():
     assert forward(first.pose.bones[TRUNK]) == pytest.approx(-14, abs=0.1)  # its head is forward
 
 
+@pytest.mark.slow
 def test_who_walks_has_a_shorter_stride_than_who_runs():
     strides = []
     for prompt in ("a walking man", "a running man"):
@@ -213,7 +214,9 @@ def test_who_crouches_is_lower_than_who_stands_with_its_feet_under_it():
     assert float(trunk[:, 1].amin()) - 0.3 < float(shins[:, 1].mean()) < float(trunk[:, 1].amax())
 
 
-@pytest.mark.parametrize("prompt", ["a lying man", "a sleeping man"])
+@pytest.mark.parametrize(
+    "prompt", ["a lying man", pytest.param("a sleeping man", marks=pytest.mark.slow)]
+)
 def test_who_lies_is_on_its_back_and_of_one_bone(prompt):
     first, there = posed(prompt)
     (whole,) = first.pose.bones
@@ -238,6 +241,7 @@ def test_who_sleeps_has_closed_eyes():
     assert first.rest.areas().each != composed("a lying man").made.things[0].rest.areas().each
 
 
+@pytest.mark.slow
 def test_a_leg_stays_at_its_hip_and_a_shin_at_its_knee():
     for prompt in ("a running man", "a dancing robot"):
         first, _ = posed(prompt)
@@ -252,6 +256,7 @@ def test_a_leg_stays_at_its_hip_and_a_shin_at_its_knee():
             assert away < 2 * legs.radius  # out of the coat, along itself
 
 
+@pytest.mark.slow
 def test_legs_that_are_alike_come_out_equally_far_and_others_each_by_itself():
     one = figure("a chef")
     alike = Limb(degrees(60), degrees(0))
@@ -266,6 +271,7 @@ def test_legs_that_are_alike_come_out_equally_far_and_others_each_by_itself():
     assert len(clothed.bones) == 5
 
 
+@pytest.mark.slow
 def test_a_hem_stays_on_the_trunk():
     for noun in ("doll", "chef"):
         one = figure(f"a {noun}")
@@ -281,7 +287,14 @@ def _parts(noun: str):
     return shipped_prior().prompted(noun, "").of_object(0).parts()
 
 
-@pytest.mark.parametrize("prompt", ["a running man", "a kneeling man", "a sleeping man"])
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a running man",
+        pytest.param("a kneeling man", marks=pytest.mark.slow),
+        pytest.param("a sleeping man", marks=pytest.mark.slow),
+    ],
+)
 def test_a_posed_figure_is_known_where_its_surface_is(prompt):
     first, there = posed(prompt)
     parts = first.parts()
@@ -290,7 +303,9 @@ def test_a_posed_figure_is_known_where_its_surface_is(prompt):
     assert float((away < 0.02).float().mean()) > 0.93  # all but what is hidden at joints
 
 
-@pytest.mark.parametrize("prompt", ["a running man", "a crouching man"])
+@pytest.mark.parametrize(
+    "prompt", ["a running man", pytest.param("a crouching man", marks=pytest.mark.slow)]
+)
 def test_a_posed_figure_is_closed_and_of_one_component(prompt):
     import trimesh
 
@@ -359,6 +374,7 @@ def test_who_sits_on_something_or_rides_it_is_posed_once(prompt, plain):
     assert not any(poses.SEATED in text for text in own.left_out() if text != note)
 
 
+@pytest.mark.slow
 def test_who_lies_on_a_bed_does_not_sit_there():
     man, bed = composed("a man lying on a bed").made.things
     assert isinstance(man, Posed) and len(man.pose.bones) == 1
@@ -399,6 +415,7 @@ def test_what_is_held_or_worn_on_the_head_goes_with_the_trunk():
     assert float((hat.turn @ -DOWN)[1]) > 0.85
 
 
+@pytest.mark.slow
 def test_several_are_in_one_pose():
     guidance = composed("two kneeling knights")
     (knight,), (places,) = guidance.made.things, guidance.made.places
