@@ -279,27 +279,31 @@ def test_who_lies_is_on_its_belly():
     assert all(pitch(leg) > 85 for leg in legs)
 
 
-def test_who_sleeps_has_its_head_down_and_its_eyes_closed():
+def test_who_sleeps_has_its_head_down():
     lying, asleep = posed("a lying cat")[1], posed("a sleeping cat")[1]
     eyes = [
         float((of.of_parts("eyes")[:, 2] - of.box[0, 2]).mean() * of.metres)
         for of in (lying, asleep)
     ]
     assert eyes[1] < 0.8 * eyes[0]
-    awake, closed = (
-        shipped_prior().prompted(p, "").of_object(0) for p in ("a cow", "a sleeping cow")
+
+
+@pytest.mark.parametrize(
+    ("noun", "eyes", "around"),
+    [("cow", "eyes", "body"), ("sheep", "eyes", "head"), ("dragon", "pupils", "body")],
+)
+def test_who_sleeps_has_closed_eyes(noun, eyes, around):
+    asleep = shipped_prior().prompted(f"a sleeping {noun}", "").things[0]
+    awake = shipped_prior().prompted(f"a {noun}", "")
+    closed, shown = (
+        {one.name: one.color for one in drawn.of_object(0).painted.paints}
+        for drawn in (asleep, awake)
     )
-    paints = {paint.name: paint for paint in closed.things[0].of_object(0).painted.paints}
-    assert paints["eyes"].color == tuple(LID * x for x in paints["body"].color)
-    assert {one.name: one for one in awake.painted.paints}["eyes"].color != paints["eyes"].color
-    sheep = shipped_prior().prompted("a sleeping sheep", "").of_object(0).things[0]
-    shades = {one.name: one.color for one in sheep.of_object(0).painted.paints}
-    assert shades["eyes"] == tuple(LID * x for x in shades["head"])
-    dragon = shipped_prior().prompted("a sleeping dragon", "").of_object(0).things[0]
-    shades = {one.name: one.color for one in dragon.of_object(0).painted.paints}
-    assert shades["pupils"] == shades["eyes"] == tuple(LID * x for x in shades["body"])
+    assert closed[eyes] == closed["eyes"] == tuple(LID * x for x in closed[around])
+    assert shown[eyes] != closed[eyes] and shown[around] == closed[around]
 
 
+@pytest.mark.slow
 def test_what_is_in_an_open_eye_is_not_on_a_closed_one():
     for prompt, shown in (("a horse", True), ("a sleeping horse", False)):
         drawn = shipped_prior().prompted(prompt, "").of_object(0)
@@ -468,6 +472,7 @@ def test_clothes_go_with_the_pose_that_they_are_worn_in():
     assert wide[0] == pytest.approx(poses.PADDED) and wide[2] == pytest.approx(0)
 
 
+@pytest.mark.slow
 def test_a_scarf_is_not_on_the_legs():
     _, scarf = composed("a sitting dog wearing a red scarf").made.things
     assert isinstance(scarf, Posed)

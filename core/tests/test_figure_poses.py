@@ -168,6 +168,7 @@ def test_the_trunk_of_who_kneels_is_as_it_was():
     )
 
 
+@pytest.mark.slow
 def test_who_kneels_rests_on_a_knee_and_on_the_other_foot():
     first, there = posed("a kneeling man")
     foot, shin = (of_bone("a kneeling man", bone) for bone in SHIN)
@@ -236,6 +237,7 @@ def test_who_lies_is_as_low_as_it_gets():
         assert middle < float(height.mean() - height.amin())
 
 
+@pytest.mark.slow
 def test_who_sleeps_has_closed_eyes():
     first, _ = posed("a sleeping man")
     assert first.rest.areas().each != composed("a lying man").made.things[0].rest.areas().each
