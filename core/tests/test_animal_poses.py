@@ -7,6 +7,7 @@ import pytest
 import torch
 
 from core.geometry.fan import Fan
+from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.parts.assembly import assembled
 from core.geometry.union import clipped
 from core.guidance.builtin.composition import poses
@@ -237,15 +238,18 @@ def test_who_is_steep_does_not_look_up_as_steeply(pose, most):
 
 
 def test_hind_legs_on_the_ground_are_short_and_at_the_sides():
-    first, cat = posed("a lying cat")
-    hind, scale = animal("a cat").pairs[HIND], first.pose.bones[0].place.scale
-    mine = first.pose.owner(body("a cat").verts) == 3
-    leg = cat.verts[mine] / scale
+    first, horse = posed("a lying horse")
+    hind, scale = animal("a horse").pairs[HIND], first.pose.bones[0].place.scale
+    mine = first.pose.owner(body("a horse").verts) == 3
+    leg = horse.verts[mine] / scale
     aside = float(leg[:, 0].mean() - hind.middle[0])
     assert 0.4 * hind.radius < aside < 1.2 * hind.radius
     assert float(leg[:, 1].max() - leg[:, 1].min()) < 5 * hind.radius
-    verts = clipped((body("a cat").verts, body("a cat").faces), first.pose.bones[3].regions, True)
+    verts = clipped(
+        (body("a horse").verts, body("a horse").faces), first.pose.bones[3].regions, True
+    )
     assert float(verts[0][:, 2].max()) < hind.low[2] + 5.5 * hind.radius
+    assert float(hind.high[2] - hind.low[2]) > 6 * hind.radius  # at rest
 
 
 @pytest.mark.slow
@@ -319,6 +323,7 @@ def test_who_rears_is_high_on_its_hind_legs():
     assert all(abs(pitch(leg)) < 10 for leg in legs[2:])
     assert all(pitch(leg) > 40 for leg in legs[:2])
     assert height(horse) > 1.1 * height(body("a horse"))
+    assert float(horse.verts.norm(dim=1).max()) == pytest.approx(NORMAL_RADIUS, rel=1e-3)
 
 
 def test_the_legs_of_who_runs_are_apart():
