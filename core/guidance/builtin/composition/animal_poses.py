@@ -12,16 +12,15 @@ from torch import Tensor
 
 from core.geometry.fan import Fan
 from core.geometry.union import Region
-from core.guidance.builtin.composition.placement import Body, Placement, about_x, about_z
+from core.guidance.builtin.composition.limbs import DOWN, SIDES, Box, degrees, mirrored, turned
+from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.posing import Bone, Pose, joint
 from core.guidance.builtin.composition.quadruped import Leg, Quadruped
 from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.composition.wearing import head_of
 from core.guidance.builtin.words.poses import PoseWord
 
-SIDES = (1, -1)  # the left leg of a pair, and the right one
 FRONT, HIND = 0, 1
-DOWN = torch.tensor([0.0, 0.0, -1.0])
 HEAD = 0.5  # of its width, from the middle
 OF_HEADS = tuple("eyes ears muzzle snout nose horns horn antlers frill bill tusks".split())
 WITHERS = 0.55  # of the way from the front legs to the spine: the axis of the neck
@@ -129,7 +128,7 @@ class Animal:
     def _leg(self, pair: int, side: int, swing: Swing, trunk: Placement) -> Bone:
         leg, turn = self.pairs[pair], _turned(swing.forward, swing.outwards, side)
         upper, lower = _boxes(leg, side, self.padded)
-        at = _mirrored(leg.joint, side)
+        at = mirrored(leg.joint, side)
         start, end = torch.stack([at[0], at[1], leg.high[2]]), at
         to = trunk.out(at[None])[0]
         if swing.ground is not None:  # the rest of it is in the trunk
@@ -146,9 +145,6 @@ class Animal:
         return Bone((Region(upper, (capsule,)), Region(lower)), place, top=top)
 
 
-Box = tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]
-
-
 def _below(box: Box, z: float) -> Box:
     """A box's lower end."""
     low, high = box
@@ -163,17 +159,13 @@ def _boxes(leg: Leg, side: int, padded: float) -> tuple[Box, Box]:
     wide = torch.stack([ends[0] - leg.room, ends[1] + leg.room])
     wide[0, 0] = wide[0, 0].clamp_min(0.0)
     wide[1, 2] = leg.hoof
-    upper, lower = (_mirrored(of, side) for of in (ends, wide))
+    upper, lower = (mirrored(of, side) for of in (ends, wide))
     return (upper.amin(0), upper.amax(0)), (lower.amin(0), lower.amax(0))
-
-
-def _mirrored(at: Float[Tensor, "*n 3"], side: int) -> Float[Tensor, "*n 3"]:
-    return at * torch.tensor([float(side), 1.0, 1.0])
 
 
 def _turned(forward: float, outwards: float = 0.0, side: int = 1) -> Float[Tensor, "3 3"]:
     """A rotation in degrees: a head goes up, a leg forward, then outwards."""
-    return about_z(math.radians(side * outwards)) @ about_x(-math.radians(forward))
+    return turned(degrees(forward, outwards), side)
 
 
 def _sits(animal: Animal) -> Pose:

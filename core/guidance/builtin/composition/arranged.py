@@ -5,10 +5,9 @@ from dataclasses import replace
 
 import torch
 
-from core.geometry.mesh import NORMAL_RADIUS
 from core.guidance.builtin.composition.copies import copies_of, mixed_heap
 from core.guidance.builtin.composition.holding import held
-from core.guidance.builtin.composition.placement import Body, Placement, joined
+from core.guidance.builtin.composition.placement import Body, Placement, joined, training_size
 from core.guidance.builtin.composition.resting import (
     POINT_DOWN,
     beside,
@@ -53,9 +52,8 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
         found = [[at.of_copy(one) for one in own] for at, own in zip(places, copies, strict=True)]
     bodies = zip(things, found, strict=True)
     verts = torch.cat([place.out(thing.verts) for thing, own in bodies for place in own])
-    center = (verts.amin(0) + verts.amax(0)) / 2
-    scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
-    return [[place.then(scale, -center * scale) for place in own] for own in found]
+    fit = training_size(verts)
+    return [[place.then(*fit) for place in own] for own in found]
 
 
 def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:

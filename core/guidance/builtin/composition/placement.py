@@ -9,6 +9,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
+from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import Solid
@@ -185,6 +186,13 @@ def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
     if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
         return about_x(-math.pi / 2) if y < x else Z_TO_X
     return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
+
+
+def training_size(verts: Float[Tensor, "n 3"]) -> tuple[float, Float[Tensor, " 3"]]:
+    """The scale, and then the shift, to the size in which the networks know things."""
+    center = (verts.amin(0) + verts.amax(0)) / 2
+    scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
+    return scale, -center * scale
 
 
 def about_z(angle: float) -> Float[Tensor, "3 3"]:

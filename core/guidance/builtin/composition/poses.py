@@ -3,13 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from jaxtyping import Float
-from torch import Tensor
-
-from core.geometry.mesh import NORMAL_RADIUS
 from core.guidance.builtin.composition.animal_poses import Animal, pose_of
 from core.guidance.builtin.composition.figure_poses import STRAIGHT, poses_of
-from core.guidance.builtin.composition.placement import Body
+from core.guidance.builtin.composition.placement import Body, training_size
 from core.guidance.builtin.composition.posing import Pose, Posed
 from core.guidance.builtin.composition.sitting import LEGWEAR, posture_of
 from core.guidance.builtin.composition.thing import Thing
@@ -56,7 +52,7 @@ def in_poses(
             notes.append(f"{words.noun} {words.pose}: {UNPOSED}")
             continue
         pose, on_legs, elsewhere = poses
-        fit = _fit(pose.out(body.verts))
+        fit = training_size(pose.out(body.verts))
         pose = pose.then(*fit)
         things[index], found[index] = Posed(thing, pose), _measured(pose.body(body))
         if words.noun in FIGURES:
@@ -91,13 +87,6 @@ def _has_seat(bodies: Sequence[Body], relations: Sequence[Relation]) -> bool:
     return any(
         posture_of(one.verb or words.pose, how, other.words.noun) for one, how, other in said
     )
-
-
-def _fit(verts: Float[Tensor, "n 3"]) -> tuple[float, Float[Tensor, " 3"]]:
-    """The scale and the shift to the size in which the networks know things."""
-    center = (verts.amin(0) + verts.amax(0)) / 2
-    scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
-    return scale, -center * scale
 
 
 def _measured(body: Body) -> Body:
