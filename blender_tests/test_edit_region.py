@@ -86,6 +86,18 @@ def test_the_job_keeps_the_maps_byte_for_byte_and_names_the_selected_faces(chair
     wait()
 
 
+def test_what_is_flat_is_kept_flat(chair, wait):
+    chair.data.shade_flat()
+    select(chair, range(40, 60))
+    assert bpy.ops.fantasia3d.edit_region(words="red velvet") == {"FINISHED"}
+    path = Path(history.read_entry(newest_run()).job["kept_asset"]) / "mesh.obj"
+    _, faces, _, flat = read_obj(path)
+    lines = path.read_text().splitlines()
+    assert flat and sum(line.startswith("vn ") for line in lines) == len(faces)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    wait()
+
+
 def test_on_arrival_the_maps_alone_change_and_restore_brings_them_back(chair, wait):
     other = bpy.data.materials.new("paint")
     chair.data.materials.append(other)

@@ -111,6 +111,13 @@ def test_shading_is_smooth(asset):
     assert not mesh.has_custom_normals
 
 
+def test_a_flat_asset_is_shaded_flat(asset):
+    path = asset / "mesh.obj"
+    path.write_text(path.read_text() + "s off\n")
+    mesh = import_asset(bpy.context, asset).data
+    assert not any(polygon.use_smooth for polygon in mesh.polygons)
+
+
 @pytest.mark.parametrize("distribution", ["GGX", "MULTI_GGX"])
 def test_the_material_reads_each_map_where_it_belongs(tmp_path, distribution):
     obj = import_asset(bpy.context, write_asset(tmp_path / "a", distribution=distribution))

@@ -55,6 +55,8 @@ def test_its_pose_is_named_after_it_and_before_another_thing():
     assert words.summary(report) == "cat, sleeping, grey"
     report = words.ask(CORE, ("a knight riding a rearing white horse", False))
     assert words.summary(report) == "knight, on: rearing white horse"
+    report = words.ask(CORE, ("a low poly blue fox", False))
+    assert words.summary(report) == "fox, low poly, blue"
 
 
 def test_what_is_written_or_drawn_on_it_is_named():

@@ -35,6 +35,7 @@ ShadingModel = Literal["lobes", "split_sum", "diffuse"]
 ShapePictures = Literal["normals", "shaded", "entangled"]
 Curve = Literal["linear", "srgb"]
 Start = Literal["ellipsoid", "learned"]
+Style = Literal["stated", "none", "low_poly", "voxels"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,6 +134,10 @@ class GeometryConfig:
     # How far unit normals may differ and still be of one plane.
     flatten_sigma: Annotated[float, Range(0.01, 2.0)] = 0.3
     forms: bool = True  # of known parts: what was meant to be flat or round is exactly so
+    style: Style = "stated"  # of the finished shape; stated: the prompt's, where it has one
+    # Low poly: a twentieth of the surface may be off by more, of the longest side.
+    facet_error: Annotated[float, Range(1e-4, 0.1)] = 0.005
+    voxels: Annotated[int, Range(4, 128)] = 32  # along the longest side
 
 
 @dataclass(frozen=True, kw_only=True)

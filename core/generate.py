@@ -29,7 +29,7 @@ from core.io.job import Job
 from core.io.mesh_file import Needed, load_mesh
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
-from core.job_config import config_of, local_ranges, within
+from core.job_config import config_of, is_kept, local_ranges, within
 from core.provenance import info_of
 from core.ranks import ALONE, Ranks
 from core.stages.appearance import learn_appearance
@@ -50,6 +50,7 @@ from core.stages.start_shape import (
     solid_guide,
 )
 from core.stages.state import Training
+from core.stages.styled import NO_STYLE, in_style, style_of, styled, styled_areas
 from core.stages.texturing import (
     bake_maps,
     fine_over,
@@ -121,11 +122,11 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
 
     Raises Paused once it has come ``until`` a first look at the "shape" or the "color".
     """
-    inputs = of_seed(inputs, run.job)
+    inputs = styled_inputs(of_seed(inputs, run.job), run.job)
     job, config, device = run.job, inputs.config, inputs.device
     progress.check_cancelled()
     check_asset_folder(run.asset)
-    for text in inputs.warnings:
+    for text in (*inputs.warnings, *unstyled(job, inputs)):
         progress.warn(text)
     ranks = inputs.ranks
     inputs = in_proportion(facing(run, inputs, progress), job)
@@ -147,7 +148,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
         shape = (
             inputs.shape
             if job.command == "texture"
-            else learned_shape(run, inputs, progress, early=until == "shape")
+            else styled_shape(run, inputs, progress, early=until == "shape")
         )
         if until == "shape":
             raise paused(run, until)
@@ -158,7 +159,8 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
             if guidance.parts() is None:  # or it is there already, and its parts with it
                 shape = replace(shape, verts=normalise(shape.verts)[0])
             own = inputs.shape is not None and (job.command == "texture" or job.guide_strength == 1)
-            kept = {"keep_uv": job.uv == "keep", "keep_faces": own}
+            has_style = config.geometry.style != "none"
+            kept = {"keep_uv": job.uv == "keep", "keep_faces": own or has_style}
             unwrapped = unwrap_shape(shape, config.texture, progress, **kept)
             # The kept asset's normals have its relief; of another shape there is none.
             if inputs.region and not job.reshape:
@@ -170,7 +172,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     # APPEARANCE (§4.3): Γ learns the material, from grey or from the user's base colour
     generator = torch.Generator().manual_seed(job.color_seed or job.seed + 1)
     ranges = within(config.appearance, guidance.ranges())
-    areas = guidance.areas()
+    areas = styled_areas(guidance.areas(), unwrapped.mesh.mesh, config.geometry)
     net = MaterialNet(ranges, generator, local_ranges(ranges, areas)).to(device)
     training = Training("appearance", net, generator, run)
     if config.geometry.pictures == "entangled":
@@ -246,6 +248,20 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
     return replace(inputs, guidance=inputs.guidance.of_object(job.seed, whole))
 
 
+def styled_inputs(inputs: Inputs, job: Job) -> Inputs:
+    """``inputs`` with the settings of the style that the job sets or the prompt states; without one
+    where the shape is the user's."""
+    made_here = job.command == "generate" and not is_kept(job)
+    style = style_of(inputs.config.geometry, inputs.guidance.style()) if made_here else "none"
+    return replace(inputs, config=in_style(inputs.config, style))
+
+
+def unstyled(job: Job, inputs: Inputs) -> tuple[str, ...]:
+    """A note on a style that the prompt states and that is left out, as the mesh is the user's."""
+    style = inputs.guidance.style() if job.command == "texture" or is_kept(job) else ""
+    return (NO_STYLE.format(style=style.replace("_", " ")),) if style and not job.region else ()
+
+
 def in_proportion(inputs: Inputs, job: Job) -> Inputs:
     """``inputs`` with what the guidance has drawn in the guide's proportions."""
     guide = inputs.shape
@@ -314,6 +330,20 @@ def paused(run: RunFolder, until: str) -> Paused:
     """The error that ends a session at its requested pause."""
     what = {"shape": "The shape", "color": "The material"}[until]
     return Paused(f"{what} is ready to look at.", f"Finish it: run.py resume {run.path}")
+
+
+def styled_shape(
+    run: RunFolder, inputs: Inputs, progress: Progress, early: bool = False
+) -> Mesh | None:
+    """:func:`learned_shape` in its style."""
+    shape, config = learned_shape(run, inputs, progress, early), inputs.config
+    if shape is None or config.geometry.style == "none":
+        return shape
+    most = config.texture.max_faces
+    shape = styled(shape, config.geometry, most, progress.check_cancelled)
+    apart = torch.arange(3 * len(shape.faces)).view(-1, 3)  # so that the pictures are flat
+    show_shape(run, shape.verts[shape.faces].flatten(0, 1), apart)
+    return shape
 
 
 def learned_shape(

@@ -14,7 +14,7 @@ from core.appearance.shade import CHUNK, lifted, perturb, shade
 from core.camera import Cameras
 from core.geometry.faces import outward
 from core.geometry.mesh import Mesh
-from core.geometry.tangents import corner_tangents, smooth_normals
+from core.geometry.tangents import corner_tangents, shading_normals
 from core.ops import dot, linear_to_srgb, normalize, recomputed
 from core.render.antialias import EdgeTable, antialias, edge_table
 from core.render.rasterizer import Fragments, interpolate, rasterize, scatter
@@ -33,30 +33,32 @@ class UvMesh:
     faces: Int[Tensor, "f 3"]
     uv: Float[Tensor, "u 2"]
     face_uvs: Int[Tensor, "f 3"]
-    normals: Float[Tensor, "v 3"]
+    normals: Float[Tensor, "f 3 3"]  # by corner
     tangents: Float[Tensor, "f 3 4"]  # MikkTSpace, by corner
     edges: EdgeTable
     closed: bool  # and facing outward: nothing of its inside can be seen
+    flat: bool = False  # see Mesh
 
     @classmethod
     def of(cls, mesh: Mesh) -> "UvMesh":
         """Derive normals, tangents and edges."""
-        normals = smooth_normals(mesh.verts, mesh.faces)
+        normals = shading_normals(mesh).corners
         edges = edge_table(mesh.faces)
         tangents = corner_tangents(mesh, normals)
         # Back faces need no drawing then. An inside-out mesh would show its far side without them.
         closed = outward(mesh.verts.detach().cpu().double().numpy(), mesh.faces.cpu().numpy())
-        return cls(mesh.verts, mesh.faces, *mesh.atlas, normals, tangents, edges, closed)
+        derived = (normals, tangents, edges, closed)
+        return cls(mesh.verts, mesh.faces, *mesh.atlas, *derived, mesh.flat)
 
     @property
     def mesh(self) -> Mesh:
         """The mesh alone."""
-        return Mesh(self.verts, self.faces, self.uv, self.face_uvs)
+        return Mesh(self.verts, self.faces, self.uv, self.face_uvs, flat=self.flat)
 
     def to(self, device: "torch.device | str") -> "UvMesh":
         """The same mesh on ``device``."""
         parts = (self.verts, self.faces, self.uv, self.face_uvs)
-        return UvMesh.of(Mesh(*(x.to(device) for x in parts)))
+        return UvMesh.of(Mesh(*(x.to(device) for x in parts), flat=self.flat))
 
 
 class Shaded(NamedTuple):

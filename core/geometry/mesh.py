@@ -25,6 +25,7 @@ class Mesh:
     uv: Float[Tensor, "u 2"] | None = None  # (0, 0) bottom left
     face_uvs: Int[Tensor, "f 3"] | None = None
     base_color: Float[Tensor, "h w 3"] | None = None  # the file's texture, linear, row 0 = top
+    flat: bool = False  # each face is shaded as the plane that it is; else smooth
 
     @property
     def atlas(self) -> tuple[Float[Tensor, "u 2"], Int[Tensor, "f 3"]]:

@@ -7,6 +7,8 @@ orientation make a group, and a group has one tangent: the mean, weighted by the
 vertex, of its faces' uv derivatives, each projected onto the normal's plane.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 import torch
 from jaxtyping import Float, Int
@@ -20,22 +22,50 @@ TINY = 1.1754944e-38  # the smallest normal float: MikkTSpace takes what is belo
 
 
 @torch.no_grad()
-def corner_tangents(mesh: Mesh, normals: Float[Tensor, "v 3"]) -> Float[Tensor, "f 3 4"]:
-    """Tangent (xyz, unit, across the vertex normal) and sign w of the bitangent at each corner.
+def corner_tangents(mesh: Mesh, normals: Float[Tensor, "f 3 3"]) -> Float[Tensor, "f 3 4"]:
+    """Tangent (xyz, unit, across the corner's normal) and sign w of the bitangent at each corner.
 
     bitangent = w * cross(normal, tangent); w is -1 where the uv are mirrored. ``normals`` are the
-    smooth vertex normals at unit length. Made in double precision on the CPU, without gradient.
+    corners' at unit length. Made in double precision on the CPU, without gradient.
     """
     uv, face_uvs = mesh.atlas
     f, fu = mesh.faces.cpu().numpy(), face_uvs.cpu().numpy()
     p, n, t = (x.detach().cpu().double().numpy() for x in (mesh.verts, normals, uv))
-    welded = _weld(np.concatenate([p, n], 1)[f], t[fu])
+    welded = _weld(np.concatenate([p[f], n], 2), t[fu])
     along, mirrored, flat = _uv_derivative(p[f], t[fu])
     group = _groups(welded, mirrored, flat)
     group = _adopt(group, welded, flat)
-    tangent = _group_tangents(group, p[f], n[f], along)
+    tangent = _group_tangents(group, p[f], n, along)
     sign = np.where(mirrored, -1.0, 1.0)[:, None, None].repeat(3, 1)
     return torch.from_numpy(np.concatenate([tangent, sign], 2)).to(mesh.verts)
+
+
+class Normals(NamedTuple):
+    """The normals that a mesh is shaded with; tangents and normal maps are relative to these."""
+
+    each: Float[Tensor, "n 3"]  # unit
+    index: Int[Tensor, "f 3"]  # of each corner's
+
+    @property
+    def corners(self) -> Float[Tensor, "f 3 3"]:
+        """Each corner's own."""
+        return self.each[self.index]
+
+
+@torch.no_grad()
+def shading_normals(mesh: Mesh) -> Normals:
+    """A normal for each vertex, as :func:`smooth_normals`; of a flat mesh one for each face.
+
+    A face without an area takes its direction from the origin.
+    """
+    if not mesh.flat:
+        return Normals(smooth_normals(mesh.verts, mesh.faces), mesh.faces)
+    a, b, c = mesh.verts.detach().double()[mesh.faces].unbind(1)
+    across = torch.linalg.cross(b - a, c - a)
+    lost = across.norm(dim=1, keepdim=True) < 1e-24
+    each = torch.nn.functional.normalize(torch.where(lost, a + b + c, across), dim=-1)
+    index = torch.arange(len(mesh.faces)).to(mesh.faces)[:, None].expand(-1, 3)
+    return Normals(each.to(mesh.verts), index)
 
 
 @torch.no_grad()
@@ -43,7 +73,7 @@ def smooth_normals(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> Fl
     """Unit vertex normals as Blender's smooth shading has them: face normals weighted by angle.
 
     (G. Thürmer and C. A. Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998.)
-    Tangents and normal maps are relative to these. A vertex of no face, or whose faces cancel,
+    A vertex of no face, or whose faces cancel,
     takes its direction from the origin, as in Blender. Without gradient.
     """
     p = verts.detach().double()[faces]

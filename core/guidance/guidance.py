@@ -250,6 +250,11 @@ class PromptedGuidance(ABC):
         """The areas of that object; None without known parts."""
         return None
 
+    def style(self) -> str:
+        """The style that the prompt wants of the shape, as the setting geometry.style names it; "":
+        none, or the pictures have it."""
+        return ""
+
     def left_out(self) -> tuple[str, ...]:
         """A note on each thing that the prompt wants of the object and that is left out."""
         return ()

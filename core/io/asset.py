@@ -14,7 +14,7 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh, health
-from core.geometry.tangents import corner_tangents, smooth_normals
+from core.geometry.tangents import corner_tangents, shading_normals
 from core.geometry.uv_health import uv_health
 from core.io import png as images
 from core.io.atomic import (
@@ -121,7 +121,7 @@ def write_asset(
     """
     folder = Path(folder)
     verts, faces, uv, face_uvs = (x.detach().cpu() for x in (mesh.verts, mesh.faces, *mesh.atlas))
-    mesh = Mesh(verts.float(), faces, uv.float(), face_uvs)
+    mesh = Mesh(verts.float(), faces, uv.float(), face_uvs, flat=mesh.flat)
 
     def fill(new: Path) -> None:
         write_maps(new, maps)
@@ -240,7 +240,7 @@ def _export_obj(asset: Asset, out: Path) -> None:
     names = {name: f"{out.stem}_{name}.png" for name in (*roles, *emission)}
     for path in (out.with_suffix(".mtl"), *map(out.with_name, names.values())):
         check_output(path)
-    normals = smooth_normals(asset.mesh.verts, asset.mesh.faces)
+    normals = shading_normals(asset.mesh)
     of_material = [names[name] for name in roles]
     texts = {
         out: obj_text(asset.mesh, normals, out.stem),
@@ -261,8 +261,8 @@ def _export_obj(asset: Asset, out: Path) -> None:
 
 
 def _write_mesh(folder: Path, mesh: Mesh, origin: dict[str, str]) -> None:
-    normals = smooth_normals(mesh.verts, mesh.faces)
-    tangents = corner_tangents(mesh, normals)
+    normals = shading_normals(mesh)
+    tangents = corner_tangents(mesh, normals.corners)
     paths = {role: folder / f"{role}.png" for role in Maps._fields}
     pictures = {role: path.read_bytes() for role, path in paths.items() if path.is_file()}
     light = {"emission_strength": EMISSION_STRENGTH, "ior": IOR}

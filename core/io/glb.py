@@ -16,6 +16,7 @@ from torch import Tensor
 
 from core.geometry.faces import outward
 from core.geometry.mesh import Mesh
+from core.geometry.tangents import Normals
 from core.io.obj import to_y_up
 
 FLOAT, UINT = 5126, 5125  # component types
@@ -57,7 +58,7 @@ class _Buffer:
 
 def glb_bytes(
     mesh: Mesh,
-    normals: Float[Tensor, "v 3"],
+    normals: Normals,
     tangents: Float[Tensor, "f 3 4"],
     pictures: dict[str, bytes],
     origin: Mapping[str, str] | None = None,
@@ -70,17 +71,17 @@ def glb_bytes(
 
     ``origin`` is kept in the object's extras; its "prompt" names the object.
 
-    Vertices are split where their uv or tangents differ. Both sides of the faces are drawn where a
-    back can be seen: of an open mesh, and of one that is inside out.
+    Vertices are split where their uv, normals or tangents differ. Both sides of the faces are drawn
+    where a back can be seen: of an open mesh, and of one that is inside out.
     """
     uv, face_uvs = mesh.atlas
-    corner, index = split_corners(mesh.faces, face_uvs, tangents)
+    corner, index = split_corners(mesh.faces, face_uvs, normals.index, tangents)
     f, fu = mesh.faces.cpu().reshape(-1)[corner], face_uvs.cpu().reshape(-1)[corner]
     u, v = uv.detach().cpu().float()[fu].unbind(1)
     tangent = tangents.cpu().reshape(-1, 4)[corner].float()
     columns = {
         "POSITION": to_y_up(mesh.verts.detach().cpu().float()[f]),
-        "NORMAL": to_y_up(normals.detach().cpu().float()[f]),
+        "NORMAL": to_y_up(normals.corners.cpu().float().reshape(-1, 3)[corner]),
         "TEXCOORD_0": torch.stack([u, 1 - v], -1),  # glTF's v grows downwards
         "TANGENT": torch.cat([to_y_up(tangent[:, :3]), tangent[:, 3:]], -1),
     }
@@ -135,13 +136,16 @@ def _light(
 
 
 def split_corners(
-    faces: Int[Tensor, "f 3"], face_uvs: Int[Tensor, "f 3"], tangents: Float[Tensor, "f 3 4"]
+    faces: Int[Tensor, "f 3"],
+    face_uvs: Int[Tensor, "f 3"],
+    face_normals: Int[Tensor, "f 3"],
+    tangents: Float[Tensor, "f 3 4"],
 ) -> tuple[Int[Tensor, " n"], Int[Tensor, " m"]]:
     """A corner (of 3F) for each split vertex, and the split vertex of each of the 3F corners.
 
     Split vertices are in the order of their welded ones.
     """
-    rows = torch.cat([faces[..., None], face_uvs[..., None]], -1).cpu().numpy().reshape(-1, 2)
+    rows = torch.stack([faces, face_uvs, face_normals], -1).cpu().numpy().reshape(-1, 3)
     bits = tangents.cpu().float().numpy().reshape(-1, 4).view(np.int32)
     keys = [*bits.T, *rows.T[::-1]]
     order = np.lexsort(keys)

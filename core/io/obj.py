@@ -13,10 +13,12 @@ from torch import Tensor
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh
+from core.geometry.tangents import Normals
 from core.io.atomic import atomic_file
 from core.io.input_file import check_file, check_size
 
 MAX_BYTES = 2 << 30  # of an asset's mesh: 20 million faces
+FLAT = b"s off"  # the line of a mesh that is shaded flat
 
 
 def to_y_up(world: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
@@ -31,21 +33,22 @@ def from_y_up(file: Float[Tensor, "*b 3"]) -> Float[Tensor, "*b 3"]:
     return torch.stack([x, -z, y], -1)
 
 
-def obj_text(mesh: Mesh, normals: Float[Tensor, "v 3"], material: str) -> str:
-    """Welded vertices, a uv index for each corner, a smooth normal for each vertex.
+def obj_text(mesh: Mesh, normals: Normals, material: str) -> str:
+    """Welded vertices, a uv index for each corner, a smooth normal for each vertex; of a flat mesh
+    one for each face.
 
     ``material`` names both the .mtl file (without its ending) and the material in it.
     """
     uv, face_uvs = mesh.atlas
-    corners = torch.stack([mesh.faces, face_uvs, mesh.faces], -1) + 1
+    corners = torch.stack([mesh.faces, face_uvs, normals.index], -1) + 1
     numbers = tuple(corners.reshape(-1).tolist())
     return "".join(
         [
             f"mtllib {material}.mtl\no {material}\n",
             _lines("v", to_y_up(mesh.verts)),
             _lines("vt", uv),
-            _lines("vn", to_y_up(normals)),
-            f"usemtl {material}\ns 1\n",
+            _lines("vn", to_y_up(normals.each)),
+            f"usemtl {material}\n{FLAT.decode() if mesh.flat else 's 1'}\n",
             "f %d/%d/%d %d/%d/%d %d/%d/%d\n" * len(mesh.faces) % numbers,
         ]
     )
@@ -102,7 +105,8 @@ def read_obj(path: Path) -> Mesh:
         faces = [line[2:] for line in lines if line.startswith(b"f ")]
         words = b" ".join(faces).replace(b"/", b" ").split()
         corners = torch.from_numpy(np.array(words, np.int64)).view(len(faces), 3, 3) - 1
-        limits = torch.tensor([len(verts), len(uv), len(verts)])
+        flat = FLAT in lines
+        limits = torch.tensor([len(verts), len(uv), len(faces) if flat else len(verts)])
         if not len(faces) or bool((corners < 0).any()) or bool((corners >= limits).any()):
             raise ValueError("indices without a vertex")
     except OSError as error:
@@ -112,7 +116,7 @@ def read_obj(path: Path) -> Mesh:
             f"{path} is not the triangle mesh that was written there ({error}).",
             "Make the asset again, or use the OBJ as a mesh: texture MESH.",
         ) from error
-    return Mesh(from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone())
+    return Mesh(from_y_up(verts), corners[..., 0].clone(), uv, corners[..., 1].clone(), flat=flat)
 
 
 def _read(lines: list[bytes], key: bytes, width: int) -> Float[Tensor, "n {width}"]:

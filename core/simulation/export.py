@@ -2,11 +2,11 @@
 
 import shutil
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 
 from core.errors import UserError
-from core.geometry.mesh import Mesh
-from core.geometry.tangents import smooth_normals
+from core.geometry.tangents import shading_normals
 from core.io.asset import Asset, check_output, read_asset
 from core.io.atomic import atomic_file, disk_errors
 from core.io.input_file import check_name
@@ -78,9 +78,9 @@ def _meshes(body: Body) -> dict[str, str]:
 
 def _visual(asset: Asset) -> str:
     mesh = asset.mesh
-    normals = smooth_normals(mesh.verts, mesh.faces)
-    upright = Mesh(from_y_up(mesh.verts), mesh.faces, *mesh.atlas)
-    return obj_text(upright, from_y_up(normals), "visual")
+    normals = shading_normals(mesh)
+    upright = replace(mesh, verts=from_y_up(mesh.verts))
+    return obj_text(upright, normals._replace(each=from_y_up(normals.each)), "visual")
 
 
 def _upright(hull: Hull) -> str:

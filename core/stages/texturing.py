@@ -29,6 +29,7 @@ from core.texture.texels import OVERLAP, uv_faults
 from core.texture.unwrap import unwrap
 
 PARTS = ("verts", "faces", "uv", "face_uvs")  # of the mesh, in a checkpoint; the rest is derived
+FLAT = "flat"  # there too, one number; not in those of older versions
 FINE = ("fine_verts", "fine_faces")  # of the shape before it was simplified, if it was
 ASTRAY = 1e-3  # training units; a file's and float32's rounding far from the origin are below it
 
@@ -74,7 +75,7 @@ def unwrap_shape(
         atlas = unwrap(verts, faces, config.size, _hundredths("unwrap", progress), chart)
         progress.complete("unwrap")  # a small mesh is done before it reports anything
     fine = None if faces is shape.faces else shape
-    return Unwrapped(UvMesh.of(Mesh(verts, faces, *atlas)), fine)
+    return Unwrapped(UvMesh.of(Mesh(verts, faces, *atlas, flat=shape.flat)), fine)
 
 
 def _within_budget(
@@ -150,12 +151,13 @@ def _tensors(unwrapped: Unwrapped) -> dict[str, Tensor]:
     tensors = {name: getattr(mesh, name) for name in PARTS}
     if fine is not None:
         tensors |= dict(zip(FINE, (fine.verts, fine.faces), strict=True))
-    return tensors
+    return tensors | {FLAT: torch.tensor([mesh.flat])}
 
 
 def _of_tensors(tensors: dict[str, Tensor]) -> Unwrapped:
     fine = Mesh(*(tensors[name] for name in FINE)) if FINE[0] in tensors else None
-    return Unwrapped(UvMesh.of(Mesh(*(tensors[name] for name in PARTS))), fine)
+    flat = FLAT in tensors and bool(tensors[FLAT])
+    return Unwrapped(UvMesh.of(Mesh(*(tensors[name] for name in PARTS), flat=flat)), fine)
 
 
 def bake_maps(

@@ -6,7 +6,7 @@ import os
 import shutil
 import struct
 import zipfile
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -233,6 +233,28 @@ def test_glb_holds_the_same_corners(folder: Path, parts) -> None:
     assert len(verts) < count < 1.3 * len(verts)  # split at the seams only
     entry = result["accessors"][primitive["attributes"]["POSITION"]]
     assert entry["min"] == got["POSITION"].min(0).tolist()
+
+
+def test_a_flat_mesh_stays_flat_in_every_file(parts, tmp_path: Path) -> None:
+    mesh, maps = parts
+    folder = write_asset(tmp_path / "asset", replace(mesh, flat=True), maps, INFO)
+    back = read_asset(folder).mesh
+    assert back.flat and torch.equal(back.faces, mesh.faces)
+    assert not read_asset(write_asset(tmp_path / "smooth", mesh, maps, INFO)).mesh.flat
+    lines = (folder / "mesh.obj").read_text().splitlines()
+    assert "s off" in lines and sum(line.startswith("vn ") for line in lines) == len(mesh.faces)
+    result, data = read_glb(folder / "asset.glb")
+    primitive = result["meshes"][0]["primitives"][0]
+    index = accessor(result, data, primitive["indices"])[:, 0]
+    normals = accessor(result, data, primitive["attributes"]["NORMAL"])[index].reshape(-1, 3, 3)
+    corners = mesh.verts[mesh.faces].double().numpy()[..., [0, 2, 1]] * (1, 1, -1)
+    a, b, c = corners.transpose(1, 0, 2)
+    across = np.cross(b - a, c - a)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    assert np.abs(normals - across[:, None]).max() < 1e-5
+    copy = tmp_path / "copy.obj"
+    export(folder, "obj", copy)
+    assert "s off" in copy.read_text().splitlines()
 
 
 def test_glb_shows_both_sides_of_an_open_mesh_only(parts, tmp_path: Path) -> None:

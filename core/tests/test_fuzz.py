@@ -25,6 +25,7 @@ from PIL import Image
 
 from core.errors import UserError
 from core.geometry.mesh import Mesh, health
+from core.geometry.tangents import shading_normals
 from core.io.exr import read_exr, write_exr
 from core.io.hdr import read_hdr
 from core.io.job import Job, read_events
@@ -131,7 +132,7 @@ def formats(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Format]:
         torch.rand(3, 2, generator=torch.Generator().manual_seed(0)),
         torch.tensor([[0, 1, 2]] * 4),
     )  # fmt: skip
-    asset = obj_text(corners, corners.verts, "mesh").encode()
+    asset = obj_text(corners, shading_normals(corners), "mesh").encode()
     files = {suffix: meshes(suffix) for suffix in (".ply", ".stl", ".glb")}
     return {
         "obj": Format(

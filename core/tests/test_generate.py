@@ -15,9 +15,10 @@ from PIL import Image
 
 from core.command_line import main
 from core.config import preset
-from core.generate import back, generate, is_own_shape, prepare
+from core.generate import back, generate, is_own_shape, prepare, styled_inputs, unstyled
 from core.geometry.marching_tets import marching_tets
 from core.geometry.mesh import Mesh, normalise
+from core.geometry.tangents import shading_normals
 from core.geometry.tet_grid import tet_grid
 from core.guidance.builtin.physical import usual_of
 from core.io.asset import inspect, read_asset
@@ -290,9 +291,8 @@ def test_texture_keeps_the_users_mesh_and_its_place(fork, tmp_path):
     verts = verts * torch.tensor([1.0, 2.0, 0.5]) + torch.tensor([5.0, -3.0, 1.0])
     mesh = tmp_path / "Köpfchen.obj"
     flat = torch.zeros(1, 2)
-    text = obj_text(
-        Mesh(verts, faces, flat, torch.zeros_like(faces)), torch.zeros_like(verts), "mesh"
-    )
+    own = Mesh(verts, faces, flat, torch.zeros_like(faces))
+    text = obj_text(own, shading_normals(own), "mesh")
     kept = [line for line in text.splitlines() if line.startswith("v ")]
     kept += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     mesh.write_text("\n".join(kept) + "\n")
@@ -399,3 +399,41 @@ def test_a_users_mesh_keeps_its_sharp_edges(command, shape, strength, fine, own)
     path = "own.obj" if command == "texture" else ""
     job = Job(prompt="a chair", command=command, mesh=path, guide_strength=strength)
     assert is_own_shape(job, inputs) is own
+
+
+@pytest.mark.usefixtures("coarse")
+@pytest.mark.parametrize("style", ["low poly", "voxel"])
+def test_a_style_is_made_from_words_to_the_asset(tmp_path, style):
+    settings = {"geometry.voxels": "12", "appearance.early.steps": "2"}
+    settings |= {"appearance.late.steps": "0", "appearance.refine.steps": "2"}
+    job = Job(prompt=f"a {style} dumbbell", texture_size=128, settings=settings)
+    run = RunFolder.create(tmp_path / "run", job)
+    asset = read_asset(generate(run, prepare(run.job), Progress(run)))
+    report = asset.info["mesh"]
+    assert asset.mesh.flat and report["closed"] and report["manifold"]
+    assert (asset.maps.normal - torch.tensor([0.0, 0, 1])).abs().max() < 1e-3  # no relief
+    assert {event["path"] for event in read_events(run.path) if event["type"] == "preview"} >= {
+        "preview/normals.png",
+        "preview/shape.npz",
+    }
+    shown = np.load(run.path / "preview" / "shape.npz")
+    assert len(shown["faces"]) == len(asset.mesh.faces)  # the preview's shape is in the style too
+    if style == "voxel":
+        steps = asset.mesh.verts / asset.mesh.verts[:, 2].unique().diff().min()
+        assert (steps.diff(dim=0) - steps.diff(dim=0).round()).abs().max() < 1e-2
+    else:
+        assert len(asset.mesh.faces) < 800
+
+
+def test_a_style_is_of_shapes_that_are_made_here_alone():
+    job = Job(prompt="a voxel chair", settings={})
+    inputs = prepare(job)
+    assert styled_inputs(inputs, job).config.geometry.style == "voxels"
+    assert not unstyled(job, inputs)
+    mesh = replace(job, command="texture", mesh="own.obj")
+    assert styled_inputs(inputs, mesh).config.geometry.style == "none"
+    assert "voxels: left out" in unstyled(mesh, inputs)[0]
+    kept = replace(job, guide_mesh="own.obj", guide_strength=1.0)
+    assert styled_inputs(inputs, kept).config.geometry.style == "none" and unstyled(kept, inputs)
+    part = replace(mesh, region="faces.txt", kept_asset="asset", uv="keep")
+    assert not unstyled(part, inputs)  # of an asset in its style

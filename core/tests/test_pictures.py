@@ -71,6 +71,6 @@ def test_words_of_a_picture_and_praise_ask_for_nothing_that_is_missing(prompt, n
     assert (words.noun, words.notes, words.left_out) == (noun, (), ())
 
 
-@pytest.mark.parametrize("prompt", ["a low poly cat", "a pixel art cat", "a cat in vivid colors"])
+@pytest.mark.parametrize("prompt", ["an anime cat", "a high poly cat", "a cat in vivid colors"])
 def test_a_style_that_would_be_seen_is_still_reported(prompt):
     assert parse(prompt).left_out and parse(prompt).notes

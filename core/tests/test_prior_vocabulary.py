@@ -239,9 +239,9 @@ def test_an_adjective_that_changes_nothing_is_left_out_and_reported():
 
 
 def test_a_style_is_no_shape_and_reported():
-    words = parse("a low-poly tree, 8k, octane render, white background")
-    assert words == Words("tree")  # neither low nor white
-    assert words.left_out == ("low poly",)  # the rest is of a picture
+    words = parse("a high-poly tree, 8k, octane render, white background")
+    assert words == Words("tree")  # neither high nor white
+    assert words.left_out == ("high poly",)  # the rest is of a picture
 
 
 @pytest.mark.parametrize("prompt", ["two pairs of scissors", "many grapes", "a two headed apple"])

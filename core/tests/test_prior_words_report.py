@@ -277,6 +277,7 @@ def test_what_is_understood_is_plain_data():
     assert json.loads(json.dumps(found)) == found == {
         "prompt": "a tall two-tone oak house without a chimney, red and white",
         "thing": "house",
+        "style": None,
         "pose": None,
         "count": 1,
         "order": "row",

@@ -243,8 +243,9 @@ def relief(run: Path) -> tuple[float, float, float]:
     radius = float((fine.verts - fine.verts.mean(0)).norm(dim=1).max())
     verts = (x.double().numpy() for x in (mesh.verts, fine.verts))
     squared = igl.point_mesh_squared_distance(*verts, fine.faces.numpy().astype(np.int64))[0]
-    n = FineSurface(fine).normals(mesh.verts, mesh.normals)
-    angles = (n * mesh.normals).sum(1).clamp(-1, 1).acos().rad2deg()
+    normals = smooth_normals(mesh.verts, mesh.faces)
+    n = FineSurface(fine).normals(mesh.verts, normals)
+    angles = (n * normals).sum(1).clamp(-1, 1).acos().rad2deg()
     return float(np.sqrt(squared).max()) / radius, float(angles.mean()), radius
 
 

@@ -7,12 +7,13 @@ import torch
 from torch import Tensor
 
 from core.geometry.mesh import Mesh
-from core.geometry.tangents import corner_tangents, smooth_normals
+from core.geometry.tangents import corner_tangents, shading_normals, smooth_normals
 from core.tests.texture_shapes import square, torus, torus_uv
 
 
 def tangents_of(verts: Tensor, faces: Tensor, uv: Tensor, face_uvs: Tensor) -> Tensor:
-    return corner_tangents(Mesh(verts, faces, uv, face_uvs), smooth_normals(verts, faces))
+    mesh = Mesh(verts, faces, uv, face_uvs)
+    return corner_tangents(mesh, shading_normals(mesh).corners)
 
 
 def test_a_plane_has_the_axis_of_u() -> None:
@@ -130,12 +131,34 @@ def test_unwelded_vertices_are_one() -> None:
     """Corners with equal position, normal and uv share a tangent whatever their indices."""
     verts, faces = torus()
     uv, face_uvs = torus_uv()
-    normals = smooth_normals(verts, faces)
+    normals = smooth_normals(verts, faces)[faces]
     want = corner_tangents(Mesh(verts, faces, uv, face_uvs), normals)
     loose = torch.arange(3 * len(faces)).view(-1, 3)
     unwelded = Mesh(verts[faces].reshape(-1, 3), loose, uv[face_uvs].reshape(-1, 2), loose)
-    got = corner_tangents(unwelded, normals[faces].reshape(-1, 3))
+    got = corner_tangents(unwelded, normals)
     torch.testing.assert_close(got, want)
+
+
+def test_a_flat_mesh_has_its_faces_normals_and_tangents() -> None:
+    """Each face by itself: as if it had no neighbours."""
+    verts, faces = torus()
+    uv, face_uvs = torus_uv()
+    mesh = Mesh(verts, faces, uv, face_uvs, flat=True)
+    found = shading_normals(mesh)
+    a, b, c = verts[faces].unbind(1)
+    across = torch.nn.functional.normalize(torch.linalg.cross(b - a, c - a), dim=1)
+    torch.testing.assert_close(found.each, across)
+    torch.testing.assert_close(found.corners, across[:, None].expand(-1, 3, -1))
+    loose = torch.arange(3 * len(faces)).view(-1, 3)
+    apart = Mesh(verts[faces].reshape(-1, 3), loose, uv[face_uvs].reshape(-1, 2), loose)
+    alone = corner_tangents(apart, shading_normals(apart).corners)
+    torch.testing.assert_close(corner_tangents(mesh, found.corners), alone)
+
+
+def test_a_flat_face_without_an_area_has_a_normal() -> None:
+    verts = torch.tensor([[1.0, 0, 0], [1, 0, 1], [1, 0, 2]])
+    mesh = Mesh(verts, torch.tensor([[0, 1, 2]]), flat=True)
+    torch.testing.assert_close(shading_normals(mesh).each.norm(dim=1), torch.ones(1))
 
 
 def test_smooth_normals_do_not_depend_on_the_triangulation() -> None:

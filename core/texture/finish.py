@@ -44,8 +44,8 @@ class Finish:
         # By corner: the point, the normal, the tangent with its sign, the parts' lengths and edges.
         grain = detail.grain if detail else None
         grain = mesh.verts.new_zeros(len(mesh.verts), 4) if grain is None else grain
-        by_vert = torch.cat([mesh.verts, mesh.normals], 1)[mesh.faces]
-        self.attributes = torch.cat([by_vert, mesh.tangents, grain[mesh.faces]], -1)
+        corners = (mesh.verts[mesh.faces], mesh.normals, mesh.tangents, grain[mesh.faces])
+        self.attributes = torch.cat(corners, -1)
 
     def __call__(
         self,

@@ -93,11 +93,11 @@ def _within(
 ) -> tuple[Float[np.ndarray, "v2 3"], Int[np.ndarray, "f2 3"]]:
     """The surface with ``max_faces`` faces, as far as it may be; no faces where it can't."""
     fine = _halved(verts, faces, max(MANY, MANY_TIMES * max_faces), check)
-    found = _collapsed(*fine, max_faces, apart=True)
+    found = collapsed(*fine, max_faces, apart=True)
     check()
     if len(found[1]) > max_faces:
         # Parts that were united touch all along, and hardly a collapse there keeps them apart.
-        found = _collapsed(*fine, max_faces, apart=False)
+        found = collapsed(*fine, max_faces, apart=False)
         check()
     return found
 
@@ -116,13 +116,13 @@ def _halved(
     while len(faces) > many:
         check()
         before = len(faces)
-        verts, faces = _collapsed(verts, faces, max(before // 2, many), apart=False)
+        verts, faces = collapsed(verts, faces, max(before // 2, many), apart=False)
         if not 0 < len(faces) < before:  # none is left that may collapse
             break
     return verts, faces
 
 
-def _collapsed(
+def collapsed(
     verts: Float[np.ndarray, "v 3"], faces: Int[np.ndarray, "f 3"], max_faces: int, *, apart: bool
 ) -> tuple[Float[np.ndarray, "v2 3"], Int[np.ndarray, "f2 3"]]:
     """libigl's collapses; ``apart``: none that would push the surface through itself.

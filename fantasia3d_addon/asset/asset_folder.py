@@ -20,6 +20,7 @@ from ..errors import AssetError
 VERSION = 1
 MAX_BYTES = 8 << 20  # asset.json is a few kilobytes
 MAX_PIXELS = 1 << 27  # of a map; the core's largest has half of that
+FLAT = b"s off"  # the line of an OBJ that is shaded flat
 PNG = b"\x89PNG\r\n\x1a\n"
 ROLES = ("base_color", "orm", "normal")
 OPTIONAL = ("emission", "transmission")  # roles of what glows, and of what lets light through
@@ -56,6 +57,7 @@ class AssetFolder:
     faces: np.ndarray  # (F, 3) int32, counter-clockwise seen from outside
     corner_uv: np.ndarray  # (3 F, 2) float32, (0, 0) bottom left
     pictures: dict[str, Picture]  # by role
+    flat: bool = False  # shaded flat, as a low poly mesh is
 
     @property
     def prompt(self) -> str:
@@ -95,14 +97,14 @@ def read_asset(folder: Path) -> AssetFolder:
             f"asset.json of {folder} has the distribution {info['distribution']!r}.",
             f"This add-on reads {' and '.join(DISTRIBUTIONS)}.",
         )
-    verts, faces, corner_uv = read_obj(files["mesh"][0])
+    verts, faces, corner_uv, flat = read_obj(files["mesh"][0])
     _check_counts(folder, info, len(verts), len(faces))
     maps = {role: files[role] for role in (*ROLES, *OPTIONAL) if role in files}
     pictures = {}
     for role, (path, entry) in maps.items():
         _check_png(path)
         pictures[role] = Picture(path, str(entry.get("color_space", "Non-Color")))
-    asset = AssetFolder(folder, info, verts, faces, corner_uv, pictures)
+    asset = AssetFolder(folder, info, verts, faces, corner_uv, pictures, flat)
     for number in asset.light:
         # bool is an int, and JSON's NaN is false here.
         if isinstance(number, bool) or not isinstance(number, (int, float)) or not 0 < number < 1e4:
@@ -186,8 +188,9 @@ def read_info(folder: Path) -> dict[str, Any]:
     return info
 
 
-def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Verts (V,3), faces (F,3), uv by corner (3F,2) of a triangle mesh in the OBJ axes of Blender.
+def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
+    """Verts (V,3), faces (F,3), uv by corner (3F,2) of a triangle mesh in the OBJ axes of Blender,
+    and whether it is shaded flat.
 
     Those are forward -Z and up Y; what comes back has front -Y and up +Z. Vertices stay as welded
     as they are in the file.
@@ -218,7 +221,8 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     # From Y up, -Z forward to Z up, -Y forward.
     upright = np.stack([verts[:, 0], -verts[:, 2], verts[:, 1]], 1)
     faces = corners[..., 0].astype(np.int32)
-    return np.ascontiguousarray(upright), np.ascontiguousarray(faces), uv[corners[..., 1].ravel()]
+    corner_uv = uv[corners[..., 1].ravel()]
+    return np.ascontiguousarray(upright), np.ascontiguousarray(faces), corner_uv, FLAT in lines
 
 
 def _check_png(path: Path) -> None:

@@ -17,6 +17,7 @@ from ..blender.mesh_arrays import (
 )
 from ..environment.files import write_text
 from ..errors import AddonError, OutputError
+from .asset_folder import FLAT
 
 
 def export_shape(obj: bpy.types.Object, path: Path, uv_map: str = "") -> None:
@@ -73,10 +74,16 @@ def asset_obj_text(
     mesh: bpy.types.Mesh, uv: np.ndarray, faces: np.ndarray, face_uvs: np.ndarray
 ) -> str:
     """The triangles ``faces`` of ``mesh`` in its own space, as an asset folder's mesh.obj."""
-    normals = values(mesh.vertices, "normal", 3)
-    text = _lines("v %.9g %.9g %.9g\n", y_up(verts_of(mesh))) + _lines("vt %.9g %.9g\n", uv)
-    text += _lines("vn %.6g %.6g %.6g\n", y_up(normals))
-    corners = np.stack([faces, face_uvs, faces], -1) + 1
+    verts, normals, of_corner = verts_of(mesh), values(mesh.vertices, "normal", 3), faces
+    flat = not any(face.use_smooth for face in mesh.polygons)
+    if flat:  # one for each face
+        a, b, c = (verts[faces[:, k]] for k in range(3))
+        across = np.cross(b - a, c - a)
+        normals = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+        of_corner = np.arange(len(faces))[:, None].repeat(3, 1)
+    text = _lines("v %.9g %.9g %.9g\n", y_up(verts)) + _lines("vt %.9g %.9g\n", uv)
+    text += _lines("vn %.6g %.6g %.6g\n", y_up(normals)) + (FLAT.decode() + "\n" if flat else "")
+    corners = np.stack([faces, face_uvs, of_corner], -1) + 1
     return text + _lines("f %d/%d/%d %d/%d/%d %d/%d/%d\n", corners)
 
 

@@ -23,8 +23,9 @@ def import_asset(
     """The asset in ``folder`` as one object in the collection of ``where``, base at ``location``.
 
     ``folder`` may be an AssetFolder that was read already. The object is upright, its front to -Y,
-    in metres; welded, smooth, with a Principled material and packed maps. The user's selection and
-    mode stay as they are. Where the collection is another file's, it goes into the scene's own.
+    in metres; welded, smooth or flat as it was made, with a Principled material and packed maps.
+    The user's selection and mode stay as they are. Where the collection is another file's, it goes
+    into the scene's own.
 
     Raises:
         AssetError: the folder is not an asset, or not a complete one; the file is left unchanged.
@@ -119,7 +120,7 @@ def _fill_mesh(mesh: bpy.types.Mesh, asset: AssetFolder) -> None:
             "Generate it again.",
         )
     _mark_seams(mesh, asset.corner_uv.reshape(-1, 2))
-    mesh.shade_smooth()
+    mesh.shade_flat() if asset.flat else mesh.shade_smooth()
 
 
 def _load_images(

@@ -122,6 +122,7 @@ def summary(report: Report) -> str:
     words = [
         _several(report, report["thing"]),
         report.get("pose"),
+        (report.get("style") or "").replace("_", " "),
         report["shape"],
         report["pattern"],
         *report["colours"],

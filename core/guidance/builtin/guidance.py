@@ -209,6 +209,10 @@ class PromptedBuiltin(PromptedGuidance):
         """Those areas in space, with their properties."""
         return self.painted and self.painted.area_fields(self._axes)
 
+    def style(self) -> str:
+        """The words' own."""
+        return self.words.style
+
     def left_out(self) -> tuple[str, ...]:
         """A note on each emblem that is left out (on the user's mesh, on a distilled shape, or
         without room on the thing), on each part that stays, and on each that keeps its size."""

@@ -142,6 +142,10 @@ class Composed(PromptedGuidance):
         """The surfaces of all parts of all things."""
         return tuple(dict.fromkeys(one for thing in self._here for one in thing.surfaces()))
 
+    def style(self) -> str:
+        """That of the whole."""
+        return self.alone.style()
+
     def left_out(self) -> tuple[str, ...]:
         """Notes of the things, and on companions and copies that are left out."""
         own = tuple(text for thing in self._here for text in thing.left_out())

@@ -15,6 +15,7 @@ from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.measures import Size
 from core.guidance.builtin.words.poses import PoseWord
 from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.styles import Style
 from core.guidance.builtin.words.words import ALSO_OF_FUR
 from core.io.job import SIZES
 
@@ -46,6 +47,7 @@ class Words:
     material_form: str = field(default="", compare=False)  # the material as written
     size: Size | None = field(default=None, compare=False)
     pose: PoseWord = ""
+    style: Style = ""  # of the shape
     absent: tuple[str, ...] = ()  # parts that are left out on request
     part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it

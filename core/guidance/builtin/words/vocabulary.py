@@ -43,6 +43,7 @@ from core.guidance.builtin.words.reading import Reading
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
+from core.guidance.builtin.words.styles import style_of
 from core.guidance.builtin.words.with_companions import with_companions, without_look
 from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 
@@ -88,6 +89,7 @@ def understood(
     return {
         "prompt": prompt,
         **_looks(words),
+        "style": words.style or None,
         "shape": words.shape or None,
         "parts": words.stated_parts(),
         "part_sheens": words.of_parts("sheen"),
@@ -145,24 +147,28 @@ def parse(
     ``ignore_unknown``), two things, a part that the thing cannot lack or have, and a missing noun
     unless ``noun_needed`` is false (a negative prompt).
     """
-    prompt = (
-        made_active(as_phrase(MINE.sub("", of_no_picture(asked_for(W_SLASH.sub("with ", prompt))))))
-        if noun_needed
-        else prompt
-    )
-    if noun_needed and (row := _row(prompt, known, ignore_unknown)):
+    if not noun_needed:
+        return _parsed(prompt, False, known, ignore_unknown)
+    prompt, style = style_of(W_SLASH.sub("with ", prompt))
+    prompt = made_active(as_phrase(MINE.sub("", of_no_picture(asked_for(prompt)))))
+    return replace(_of_thing(prompt, known, ignore_unknown), style=style)
+
+
+def _of_thing(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words:
+    """``parse`` of a prompt that says nothing of a picture or a style."""
+    if row := _row(prompt, known, ignore_unknown):
         return row
-    if noun_needed and (pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown)):
+    if pair := _side_by_side(NEXT_TO, prompt, known, ignore_unknown):
         return pair
     try:
-        return _parsed(prompt, noun_needed, known, ignore_unknown)
+        return _parsed(prompt, True, known, ignore_unknown)
     except TwoWordsError:
-        for joins in (AND, BARE_AND) if noun_needed else ():
+        for joins in (AND, BARE_AND):
             if pair := _side_by_side(joins, prompt, known, ignore_unknown):
                 return pair
         raise
     except UnknownWordsError:
-        if noun_needed and (match := LOOKS_LIKE.match(prompt)):
+        if match := LOOKS_LIKE.match(prompt):
             words = parse(prompt[match.end() :], known=known, ignore_unknown=ignore_unknown)
             note = f"{match['what']}: left out, as only what it looks like is known."
             left_out = (*match["what"].split(), *words.left_out)

@@ -1,0 +1,46 @@
+"""Styles of a shape in a prompt: "a low poly fox", "a castle in voxel style".
+
+Standard library only.
+"""
+
+import re
+from typing import Literal
+
+from core.guidance.builtin.words.emblems import drawn_in
+
+Style = Literal["", "low_poly", "voxels"]
+
+_AS = r"(?:[- ](?:style|styled|art|look|aesthetic|graphics))*"
+_IN = r"(?:,? ?\b(?:in|as|with)(?: an?| the)? (?=[\w -]*(?:style|art|look|aesthetic|graphics)))?"
+_NAMES: dict[Style, str] = {
+    "low_poly": r"low[- ]?poly(?:gon(?:al|s)?|s)?|polygonal|lowpolygon",
+    "voxels": r"voxels?|voxeli[sz]ed|voxel[- ]based|minecraft|pixel(?=[- ]art)|pixelated|8[- ]?bit",
+}
+_PHRASES = {
+    style: re.compile(rf"{_IN}\b(?:made (?:out )?of )?(?:{names})\b{_AS}", re.IGNORECASE)
+    for style, names in _NAMES.items()
+}
+# Their word stays: it is a material too.
+_FOLDED = re.compile(r"\b(?:origami|papercraft|paper[- ]craft|folded paper)\b", re.IGNORECASE)
+
+
+def style_of(prompt: str) -> tuple[str, Style]:
+    """The prompt without the words of a style, and the style; the first one of two.
+
+    What is between quotes is written on the thing, and no style.
+    """
+    written = [(start, end) for _, start, end in drawn_in(prompt)]
+    found: list[tuple[int, int, Style]] = []
+    for style, phrase in _PHRASES.items():
+        for match in phrase.finditer(prompt):
+            if not any(start <= match.start() < end for start, end in written):
+                found.append((*match.span(), style))
+    if not found:
+        return prompt, "low_poly" if _FOLDED.search(prompt) else ""
+    rest = prompt
+    for start, end, _ in sorted(found, reverse=True):
+        rest = f"{rest[:start]} {rest[end:]}"
+    rest = re.sub(r"\s+", " ", re.sub(r"\s*,(?:\s*,)+", ",", rest)).strip(" ,")
+    if not re.search(r"[^\W\d_]{2}", re.sub(r"\b(?:an?|the|in|of|style)\b", "", rest)):
+        return prompt, ""  # nothing is left to be made
+    return rest, min(found)[2]
