@@ -50,7 +50,7 @@ from core.stages.start_shape import (
     solid_guide,
 )
 from core.stages.state import Training
-from core.stages.styled import NO_STYLE, in_style, style_of, styled, styled_areas
+from core.stages.styled import NO_STYLE, in_style, plain, style_of, styled, styled_areas
 from core.stages.texturing import (
     bake_maps,
     fine_over,
@@ -250,10 +250,12 @@ def of_seed(inputs: Inputs, job: Job) -> Inputs:
 
 def styled_inputs(inputs: Inputs, job: Job) -> Inputs:
     """``inputs`` with the settings of the style that the job sets or the prompt states; without one
-    where the shape is the user's."""
+    where the shape is the user's. A part of an asset in a style stays in it."""
     made_here = job.command == "generate" and not is_kept(job)
     style = style_of(inputs.config.geometry, inputs.guidance.style()) if made_here else "none"
-    return replace(inputs, config=in_style(inputs.config, style))
+    config = in_style(inputs.config, style)
+    is_flat = inputs.shape is not None and inputs.shape.flat
+    return replace(inputs, config=plain(config) if is_flat else config)
 
 
 def unstyled(job: Job, inputs: Inputs) -> tuple[str, ...]:

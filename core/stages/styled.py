@@ -33,8 +33,11 @@ def style_of(config: GeometryConfig, stated: str) -> Style:
 def in_style(config: Config, style: Style) -> Config:
     """``config`` with the style decided, and what goes with it."""
     config = replace(config, geometry=replace(config.geometry, style=style))
-    if style == "none":
-        return config
+    return config if style == "none" else plain(config)
+
+
+def plain(config: Config) -> Config:
+    """``config`` for a flat mesh: plain colours and sharp edges."""
     appearance = replace(config.appearance, detail=0.0, evenness=1.0)
     return replace(config, appearance=appearance, texture=replace(config.texture, edge_radius=0.0))
 

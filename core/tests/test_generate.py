@@ -436,4 +436,8 @@ def test_a_style_is_of_shapes_that_are_made_here_alone():
     kept = replace(job, guide_mesh="own.obj", guide_strength=1.0)
     assert styled_inputs(inputs, kept).config.geometry.style == "none" and unstyled(kept, inputs)
     part = replace(mesh, region="faces.txt", kept_asset="asset", uv="keep")
-    assert not unstyled(part, inputs)  # of an asset in its style
+    assert not unstyled(part, inputs)  # of an asset in its style, which it keeps
+    flat = Mesh(torch.zeros(3, 3), torch.tensor([[0, 1, 2]]), flat=True)
+    assert styled_inputs(replace(inputs, shape=flat), part).config.appearance.detail == 0
+    smooth = replace(flat, flat=False)
+    assert styled_inputs(replace(inputs, shape=smooth), part).config.appearance.detail > 0
