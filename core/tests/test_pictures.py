@@ -64,6 +64,8 @@ def test_what_is_of_the_thing_stays(prompt):
         ("an adorable, delicious cupcake", "cupcake"),
         ("a majestic and gorgeous lion", "lion"),
         ("an epic sword, awesome", "sword"),
+        ("a stylized cartoon fox", "fox"),  # as all that is made is
+        ("a chibi knight", "knight"),
     ],
 )
 def test_words_of_a_picture_and_praise_ask_for_nothing_that_is_missing(prompt, noun):

@@ -26,6 +26,12 @@ from core.guidance.builtin.words.vocabulary import parse, understood
         ("an 8-bit cat", "cat", "voxels"),
         ("an origami fox", "fox", "low_poly"),
         ("a papercraft owl", "owl", "low_poly"),
+        ("a lego castle", "castle", "voxels"),
+        ("a red car made of lego bricks", "car", "voxels"),
+        ("a castle built from legos", "castle", "voxels"),
+        ("a lego brick", "lego brick", ""),
+        ("a lego man", "person", ""),
+        ("lego", "lego brick", ""),
         ("a fox", "fox", ""),
         ("a high poly fox", "fox", ""),
     ],
@@ -42,6 +48,8 @@ def test_the_rest_of_the_prompt_stays():
     words = parse("a knight in low poly style riding a horse")
     assert [one.words.noun for one in words.companions] == ["horse"]
     assert parse("an origami crane").material == parse("a paper crane").material
+    words = parse("a red car made of lego bricks")
+    assert (words.color, words.material, words.is_toy) == ("red", "plastic", True)
 
 
 def test_of_two_styles_the_first():

@@ -20,8 +20,22 @@ _PHRASES = {
     style: re.compile(rf"{_IN}\b(?:made (?:out )?of )?(?:{names})\b{_AS}", re.IGNORECASE)
     for style, names in _NAMES.items()
 }
-# Their word stays: it is a material too.
-_FOLDED = re.compile(r"\b(?:origami|papercraft|paper[- ]craft|folded paper)\b", re.IGNORECASE)
+# Materials that are a style too: their word stays.
+_OF_MATERIALS: dict[Style, re.Pattern[str]] = {
+    "low_poly": re.compile(
+        r"\b(?:origami|papercraft|paper[- ]craft|folded paper)\b", re.IGNORECASE
+    ),
+    "voxels": re.compile(
+        r"\blegos?\b(?! (?:brick|block|piece|set|man|men|woman|figure|minifig)|\W*$)",
+        re.IGNORECASE,
+    ),
+}
+# Else the bricks would be another thing.
+_OF_BRICKS = re.compile(
+    r",? (?:made|built) (?:(?:out )?of|from|with) legos?(?: bricks| blocks| pieces)?\b",
+    re.IGNORECASE,
+)
+_ARTICLE = re.compile(r"\s*((?:an?|the) )?", re.IGNORECASE)
 
 
 def style_of(prompt: str) -> tuple[str, Style]:
@@ -36,7 +50,10 @@ def style_of(prompt: str) -> tuple[str, Style]:
             if not any(start <= match.start() < end for start, end in written):
                 found.append((*match.span(), style))
     if not found:
-        return prompt, "low_poly" if _FOLDED.search(prompt) else ""
+        if _OF_BRICKS.search(prompt):  # "a castle made of lego": a lego castle
+            prompt = _ARTICLE.sub(r"\1lego ", _OF_BRICKS.sub("", prompt), count=1)
+        of_material = (style for style, word in _OF_MATERIALS.items() if word.search(prompt))
+        return prompt, next(of_material, "")
     rest = prompt
     for start, end, _ in sorted(found, reverse=True):
         rest = f"{rest[:start]} {rest[end:]}"

@@ -182,6 +182,10 @@ FILLER |= frozenset(
     delightful impressive glorious cutest coolest prettiest best ever extremely incredibly insanely
     favorite favourite""".split()
 )
+# What all that is made has: large heads, large eyes and simple forms.
+FILLER |= frozenset(
+    "stylized stylised cartoon cartoons cartoony cartoonish toon toony chibi kawaii".split()
+)
 # Abbreviations.
 SHORT = {"w": "with", "n": "and", "wo": "without", "coffe": "coffee", "glows": "glowing"}
 # Slips that are words of their own, or too short to tell.
@@ -225,7 +229,7 @@ COUNTS = frozenset(
     assortment""".split()
 )
 # Requests for the style of the mesh, without effect on a shape and its materials.
-STYLES = frozenset("intricate voxel toon anime vivid".split()) | {
+STYLES = frozenset("intricate voxel anime vivid".split()) | {
     *("low poly", "high poly", "low detail", "low res", "low quality", "low resolution"),
     *("pixel art", "voxel art"),
     *("pastel colors", "pastel colours", "soft colors", "soft colours", "bright colors"),
@@ -254,7 +258,7 @@ IGNORED_ADJECTIVES = frozenset(
     """vintage retro medieval victorian baroque ornate
     cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy funny happy jolly friendly sweet scary magic magical
-    fantasy fancy luxury luxurious royal stylized stylised cartoon cartoonish lowpoly minimalist
+    fantasy fancy luxury luxurious royal lowpoly minimalist
     handmade decorated evil miniature empty full racing sunburst
     facade entrance interior exterior wreck wreckage ruin ruins remains
     asleep seated crouched curled
