@@ -290,6 +290,28 @@ def test_a_hat_on_what_is_pointed_is_seen(noun):
     assert float(hat.sides[0]) > 0.25 * float(body(noun).sides[:2].min())
 
 
+def test_a_hat_goes_over_a_stalk_and_a_leaf():
+    for noun, own in (("a pumpkin", "body"), ("an apple", "body")):
+        wearer = body(noun)
+        hat = body("a wizard hat").placed(worn(body("a wizard hat"), wearer))
+        top = float(wearer.of_parts(own)[:, 2].amax())
+        assert top - 0.25 < float(hat.box[0, 2]) < top
+        high = float(wearer.of_parts("stalk")[:, 2].amax())
+        assert high > top + 0.05  # or it would be the head's top
+        assert float(hat.box[1, 2]) > high
+
+
+@pytest.mark.parametrize("noun", ["a mushroom", "a pumpkin"])
+def test_glasses_of_what_has_no_eyes_are_before_it(noun):
+    wearer = body(noun)
+    glasses = body("sunglasses").placed(worn(body("sunglasses"), wearer))
+    lenses = glasses.of_parts("glasses")
+    low, high = lenses[:, 2].amin(), lenses[:, 2].amax()
+    beside = wearer.verts[(wearer.verts[:, 2] > low) & (wearer.verts[:, 2] < high)]
+    beside = beside[(beside[:, 0] - lenses[:, 0].mean()).abs() < 0.1]
+    assert float(lenses[:, 1].amin()) < float(beside[:, 1].amin()) + 0.05
+
+
 def test_a_mugs_opening_is_in_the_middle_of_its_cup():
     mug = body("a mug")
     rose = body("a rose").placed(upon(body("a rose"), mug))
@@ -306,6 +328,13 @@ def test_a_hat_takes_the_place_of_a_hat():
     assert freed(parse("a cat"), [("wears", crown)]).absent == ()
     torch_and_crown = [("holds", parse("a torch")), ("wears", crown)]
     assert freed(parse("a knight"), torch_and_crown).absent == ("shield",)
+
+
+def test_a_loaded_wagon_has_no_cover():
+    hay = parse("hay")
+    assert freed(parse("a cart"), [("bears", hay)]).absent == ("cover",)
+    assert freed(parse("a cart"), [("beside", hay)]).absent == ()
+    assert freed(parse("a table"), [("bears", hay)]).absent == ()
 
 
 def test_a_turned_and_a_grouped_body_keep_their_scale():

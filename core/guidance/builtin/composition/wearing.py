@@ -23,12 +23,13 @@ from core.guidance.builtin.words.companions import Relation
 from core.guidance.builtin.words.slots import Words
 
 IN_HAND = {"knight": "shield"}  # in the hand that holds something else
+COVERS = {"wagon": "cover"}  # of what is loaded
 OWN_HATS = "hat", "crown", "helmet"  # parts that another one replaces
 # Parts that stand out of a head and do not count in its width.
 NO_HEAD = tuple(
     """ears horns horn antlers antennae aerial hat helmet crown plume crest wings halo mane tail
-    arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem
-    leaves claws legs limbs""".split()
+    arms feathers tuft comb fins frill cape pack staff sword shield wand beard scarf stem stalk
+    leaf leaves claws legs limbs""".split()
 )
 AT_ITS_SIDES = "horns", "sockets"  # parts that stand out of a hat
 MUZZLES = "muzzle", "snout", "nose", "bill", "beard", "teeth"
@@ -49,8 +50,9 @@ BAND = (0.25, 0.5)  # of a hat's height: where it is as wide as the head that it
 HAT_SINKS = 0.32, 0.5  # of the head's width, of the hat's own height, at most
 EYES_HIGH = 0.3  # training units, at most
 WIDEST = 1.9  # times the eyes' distance: a head
-# Where a thing has no eyes, its head: of its height; of its width, at least and at most.
-TOP, CAPPED = 0.12, (0.3, 0.6)
+# Where a thing has no eyes, its head: of its height; of its width, at least and at most. Eyes and
+# brow, of the head's width below the top: as far as a ball of this hat's size goes into it.
+TOP, CAPPED, FACED = 0.12, (0.3, 0.5), (0.4, 0.16)
 PACK, SADDLED = (0.3, 0.5), (0.2, 0.35)  # of the wearer's longest side: on its feet, on all fours
 SHOULDERS = 0.7  # of the way from the feet to the eyes: the middle of a pack
 UPRIGHT = 1.1  # times as high as long
@@ -249,15 +251,18 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
     middle = (high.amin(0) + high.amax(0)) / 2
     least, most = (fraction * body.sides[:2] for fraction in CAPPED)
     wide = float((high.amax(0) - high.amin(0))[:2].maximum(least).minimum(most).min())
-    eyes = top - 0.4 * wide
-    return Head(middle, wide, top, float(high[:, 1].amin()), eyes, eyes)
+    eyes, brow = (top - fraction * wide for fraction in FACED)
+    face = rest[((rest[:, 2] - eyes).abs() < 0.1 * wide) & ((rest - middle)[:, 0].abs() < wide / 2)]
+    front = (face if len(face) else high)[:, 1].amin()
+    return Head(middle, wide, top, float(front), eyes, brow)
 
 
 def freed(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
-    """``words`` without a hat of the thing's own, where it wears another, and without the thing in
-    a hand that holds something else."""
+    """``words`` without a hat of the thing's own, where it wears another, without the thing in a
+    hand that holds something else, and without a cover where it is loaded."""
     does = [(how, other.noun in HEADWEAR) for how, other in relations]
     gone = OWN_HATS if ("wears", True) in does else ()
     gone = (*gone, IN_HAND.get(words.noun, "")) if "holds" in dict(does) else gone
+    gone = (*gone, COVERS.get(words.noun, "")) if "bears" in dict(does) else gone
     own = [name for name in looks(words.noun) if name in gone]
     return replace(words, absent=(*words.absent, *own))

@@ -89,7 +89,8 @@ STREET_AND_PLAYGROUND = {
     ),
     "market stall": Noun(
         "stall, food stand, food stall, fruit stand, fruit stall, market stand, market booth; "
-        "kiosk, lemonade stand, farm stand, shop stand, vegetable stand, newsstand",
+        "kiosk, lemonade stand, farm stand, shop stand, vegetable stand, newsstand, "
+        "hot dog stand, ice cream stand, flower stand, coffee stand, newspaper stand",
         {
             "counter": "-a06a38 grain",
             "awning": "*d1261f . fabric",

@@ -1,0 +1,25 @@
+"""Names of several words that mean other known things: "a pot of gold", "a tea set".
+
+Standard library only.
+"""
+
+import re
+
+_DOOR = r"(?:(?:tiny|small|little|round|wooden|red|blue|green) )*(?:doors?|windows?)"
+_IDIOMS = {
+    r"pots? of gold": "cauldron full of gold coins",
+    r"pot of (?:soup|stew|chili)": "cooking pot",
+    r"tea (?:set|service)": "teapot and two teacups",
+    r"pack of (?:playing )?cards": "deck of cards",
+    r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
+    r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
+    rf"mushroom with (?:an? )?{_DOOR}(?: and (?:an? )?{_DOOR})?": "mushroom house",
+}
+_PATTERNS = {re.compile(rf"\b{idiom}\b", re.IGNORECASE): meant for idiom, meant in _IDIOMS.items()}
+
+
+def in_known_words(prompt: str) -> str:
+    """The prompt with what such names mean in their place."""
+    for pattern, meant in _PATTERNS.items():
+        prompt = pattern.sub(meant, prompt)
+    return prompt
