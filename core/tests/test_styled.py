@@ -26,7 +26,7 @@ class Halves:
 
     def of(self, points):
         z = points[:, 2]
-        return torch.where(z.abs() < self.belt, 2, torch.where(z > 0, 0, 1))
+        return torch.where(z.abs() < self.belt, 2, torch.where(z > 0.04, 0, 1))
 
     def certain(self, points, reach):
         raise AssertionError("asked for texels of squares")
@@ -83,6 +83,9 @@ def test_a_square_is_of_one_area():
     middles, outward = squares_of(mesh)
     high = middles[:, 2] > outward[0].norm()  # above the lowest layer: its middle decides
     assert (areas.own[high] == 0).all()
+    # A third of these is red.
+    across = (middles[:, 2] > 0) & (middles[:, 2] < outward[0].norm()) & (outward[:, 2] == 0)
+    assert across.any() and (areas.own[across] == 1).all()
     # Anywhere on a square, close to its corners too.
     a, b, c = mesh.verts[mesh.faces[::2]].unbind(1)
     for i, j in ((0.02, 0.03), (0.98, 0.97), (0.5, 0.96)):

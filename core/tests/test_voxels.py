@@ -117,6 +117,19 @@ def test_components_are_linked_where_the_solid_is_nearest():
     assert linked(found, 2).sum() == 2  # they are apart in the solid, too
 
 
+def test_components_are_linked_around_what_is_far_outside():
+    found = np.full((5, 3, 1), FAR)
+    found[:, 0, 0] = (-0.5, 1.4, 1.4, 1.4, -0.5)  # straight
+    found[:, 1, 0] = (FAR, 0.3, 0.3, 0.3, FAR)  # a little way round
+    assert linked(found, 1)[:, :, 0].sum(0).tolist() == [2, 3, 0]
+
+
+def test_of_what_no_middle_is_inside_there_is_something():
+    found = np.full((3, 1, 1), 0.5)
+    found[1] = 0.4
+    assert linked(found, 1)[1, 0, 0]
+
+
 def test_what_is_too_far_apart_stays_so():
     full = linked(outside((0, 0, 0), (3, 3, 3)), 1)
     assert label(full, TOUCHING)[1] == 2
