@@ -288,3 +288,41 @@ def test_a_natural_kind_is_stated_or_known_by_its_name():
     assert natural_kind("chair", "seat") == "wooden"  # by its pattern
     assert natural_kind("bench", "legs") == "cast iron"
     assert natural_kind("potion", "cork") == "wooden"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "main", "of_parts"),
+    [
+        ("a steampunk helicopter", ["brass"], {"rotor": "copper", "bands": "copper"}),
+        ("a steampunk robot", ["brass"], {"limbs": "copper"}),
+        ("a steampunk house", ["brass"], {"roof": "copper"}),
+        ("a steampunk submarine", ["brass"], {"fins": "copper", "keel": "copper"}),
+        ("a steampunk clock", ["brass"], {"feet": "copper"}),  # and not the face
+        (
+            "a steampunk top hat",
+            ["leather"],
+            {"buckle": "brass", "ribbon": "brass", "piping": "brass"},
+        ),
+    ],
+)
+def test_what_steam_drives_is_of_brass_and_copper(prompt, main, of_parts):
+    found = read(prompt)
+    assert (found["materials"], found["part_materials"]) == (main, of_parts)
+    assert found["left_out"] == []
+
+
+@pytest.mark.parametrize(
+    ("prompt", "materials"),
+    [
+        ("a steampunk cat", []),
+        ("a steampunk man", []),
+        ("a steampunk banana", []),
+        ("a steampunk red car", []),
+        ("a steampunk car with red wheels", []),
+        ("a steampunk wooden ship", ["wooden"]),
+    ],
+)
+def test_no_brass_is_for_what_lives_or_has_words_of_its_own(prompt, materials):
+    found = read(prompt)
+    assert found["materials"] == materials and found["left_out"] == ["steampunk"]
+    assert "brass" not in found["part_materials"].values()

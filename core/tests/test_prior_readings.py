@@ -244,6 +244,14 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
         ("an inflatable flamingo", "plastic"),
         ("a terracotta warrior", "terracotta"),
         ("an ice dragon", "of ice"),
+        ("a dragon made of ice", "made of ice"),
+        ("a dog made of bone", "made of bone"),
+        ("a cat sculpted from packed snow", "made of snow"),
+        ("a wolf made of molten rock", "made of lava"),
+        ("a lava golem", "made of lava"),  # and no moss on it
+        ("a gummy dragon", "made of jelly"),
+        ("a gummy bear", "gummy candy"),
+        ("an iridescent beetle", "iridescent"),
     ],
 )
 def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) -> None:
@@ -324,10 +332,44 @@ def test_what_is_said_of_another_thing_makes_no_soft_toy(prompt: str) -> None:
         ("a bone throne", ["of bone"]),
         ("a bone china teapot", ["ceramic"]),
         ("an origami swan", ["paper"]),
+        ("a snow castle", ["made of snow"]),
+        ("a snow golem", ["made of snow"]),
+        ("a sand golem", ["made of sand"]),
+        ("a molten lava golem", ["made of lava"]),
+        ("a magma sword", ["made of lava"]),
+        ("a molten gold sword", ["golden"]),
+        ("a molten chocolate cake", ["chocolate"]),
+        ("a jelly cat", ["made of jelly"]),
+        ("a candy house", ["made of candy"]),
+        ("a house made entirely out of candy", ["made of candy"]),
+        ("a moss wall", ["made of moss"]),
+        ("a claymation cat", ["claymation"]),
+        ("a sequined handbag", ["sequined"]),
+        ("an iridescent glass vase", ["glass"]),
+        *(
+            (prompt, [])
+            for prompt in (
+                *("a snow globe", "a snow fox", "a snow shovel", "a fox in the snow", "a snowman"),
+                *("a sand dollar", "a sandcastle", "a sand dragon", "a bucket of sand"),
+                *("a jellyfish", "a jelly donut", "a jar of jelly", "a candy cane", "a candy shop"),
+                *("a candy apple red car", "a bowl of candy", "a house made of candy canes"),
+                *("a lava lamp", "a volcano with lava", "a lava volcano", "a moss covered rock"),
+                *("a moss bear", "a cat on the moss", "a burnt orange car", "a burnt sienna vase"),
+            )
+        ),
     ],
 )
 def test_a_word_before_a_thing_may_be_what_it_is_of(prompt: str, material: list[str]) -> None:
     assert read(prompt)["materials"] == material
+
+
+def test_a_material_behind_made_of_keeps_its_colour_and_its_thing() -> None:
+    red = read("a bear made of red jelly wearing a hat")
+    assert (red["thing"], red["colours"], red["materials"]) == ("bear", ["red"], ["made of jelly"])
+    assert [one["thing"] for one in red["companions"]] == ["hat"]
+    assert read("a bear made of moss")["left_out"] == []
+    assert read("a molten lava golem")["left_out"] == []
+    assert read("a gummy bear")["size_m"] == 0.02
 
 
 def test_a_statue_of_what_has_no_colour_of_its_own_is_of_one_colour() -> None:

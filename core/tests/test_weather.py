@@ -50,6 +50,13 @@ def test_dirt_and_moss_gather_in_corners_and_edges_are_rubbed():
     assert WEATHERS["worn"](somewhere(0.0)).cover.max() == 0
 
 
+def test_what_burnt_is_black_but_for_spared_places_and_ash():
+    burnt = WEATHERS["charred"](somewhere(0.0))
+    black = burnt.over.max(1) < 0.03
+    assert black.mean() > 0.5 and burnt.over.max() < 0.12
+    assert (burnt.cover > 0.95).mean() > 0.5 and 0.02 < (burnt.cover < 0.8).mean() < 0.4
+
+
 def test_what_covers_hides_the_material_and_is_no_part_of_its_mean():
     place = somewhere(1.0, count=2)
     base = Layer.of(np.zeros(2, np.float32), (1.0, 1.0, 1.0), metallic=np.float32([0.2, 0.2]))
@@ -87,6 +94,9 @@ def test_words_of_age_are_seen_and_what_lives_is_not_worn():
     assert {surface.weather for surface in surfaces_of(words)} == {("worn", "dusty")}
     assert parse("an old wooden chair").weather == ("worn",)
     assert parse("a moss covered stone well").weather == ("mossy",)
+    assert parse("a burnt down house").weather == ("charred",)
+    assert parse("a charred, snow covered log").weather == ("charred", "snowy")
+    assert parse("a burnt orange car").weather == ()
     person = parse("a shabby muddy man")
     kinds = {part.name: surface_of(person, part) for part in painted("person", person)}
     assert kinds["skin"].weather == ("dirty",) and kinds["eyes"].weather == ()

@@ -61,7 +61,15 @@ def _as_new(words: Words, part: Painted) -> Surface:
         factor = _factor(part.color, wanted)
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     depth = _depth(part.color) if part.colored and variant.kind == "wooden" else 1.0
-    return Surface(variant.kind, part.color, factor, roughness, clear=variant.clear, depth=depth)
+    return Surface(
+        variant.kind,
+        part.color,
+        factor,
+        roughness,
+        clear=variant.clear,
+        depth=depth,
+        glow=variant.glow,
+    )
 
 
 def _depth(color: Color) -> float:

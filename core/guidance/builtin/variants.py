@@ -16,6 +16,7 @@ class Variant(NamedTuple):
     color: Color | None = None  # sRGB
     roughness: float | None = None
     clear: float = 0.0  # transmitted fraction of the light
+    glow: float = 0.0  # emitted fraction of the colour
 
 
 _ROWS: dict[str, Variant] = {  # forms of a material: their variant
@@ -67,6 +68,7 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "black metal": Variant("metal", (0.12, 0.12, 0.13), 0.45),
     "chromed, chrome plated, chrome": Variant("polished metal", (0.78, 0.79, 0.80), 0.06),
     "brushed metal, brushed steel": Variant("brushed metal", None, 0.38),
+    "iridescent, holographic": Variant("iridescent", (0.66, 0.66, 0.68), 0.16),
     "brushed aluminium, brushed aluminum": Variant("brushed metal", (0.80, 0.81, 0.82), 0.4),
     "polished metal, polished steel": Variant("polished metal", None, 0.1),
     "shiny metal": Variant("polished metal", None, 0.12),
@@ -105,6 +107,11 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "dark chocolate": Variant("cream", (0.13, 0.07, 0.04), 0.3),
     "white chocolate": Variant("cream", (0.93, 0.87, 0.72), 0.35),
     "wax": Variant("cream", (0.92, 0.86, 0.72), 0.45),
+    "plasticine, claymation, modelling clay, modeling clay, play doh, playdoh, play dough": (
+        Variant("plasticine", None, 0.5)
+    ),
+    "made of candy": Variant("candy", (0.84, 0.07, 0.16), 0.1),
+    "pearlescent, pearly, nacreous, opalescent": Variant("pearl", (0.90, 0.87, 0.86), 0.15),
     # of rubber
     "latex": Variant("rubber", None, 0.35),
     "silicone": Variant("rubber", None, 0.6),
@@ -116,6 +123,9 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "brick": Variant("brick", (0.58, 0.30, 0.22), 0.9),
     "sandstone": Variant("concrete", (0.76, 0.62, 0.43), 0.9),
     "slate": Variant("stone", (0.29, 0.31, 0.34), 0.7),
+    "made of snow": Variant("snow", (0.93, 0.95, 0.98), 0.85),
+    "made of sand": Variant("sand", (0.80, 0.67, 0.46), 0.95),
+    "made of lava": Variant("lava", (1.0, 0.34, 0.03), 0.85, glow=1.0),
     # of ceramic
     "clay": Variant("clay", (0.72, 0.42, 0.29), 0.85),
     "terracotta, terra cotta": Variant("clay", (0.72, 0.38, 0.25), 0.85),
@@ -140,12 +150,15 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "tinted glass, smoked glass, smoky glass": Variant("glass", (0.20, 0.26, 0.26), 0.06, 0.9),
     "stained glass": Variant("glass", None, 0.08, 0.7),
     "of ice, made of ice, from ice, icy": Variant("glass", (0.80, 0.92, 0.97), 0.15, 0.6),
+    "made of jelly, gummy candy": Variant("glass", (0.86, 0.10, 0.14), 0.12, 0.6),
     # of copper
     "bronze": Variant("copper", (0.66, 0.47, 0.27), 0.35),
     "polished copper": Variant("polished metal", None, 0.12),
     # of fabric
     "felt, wool, woollen, woolen, plush, fleece, cashmere": Variant("felt"),
     "velvet": Variant("velvet"),
+    "sequined, sequinned, sequin": Variant("sequins"),
+    "made of moss": Variant("soil", (0.27, 0.38, 0.11), 0.95),
     "fur, furry, fluffy": Variant("fur"),
     "sheepskin": Variant("fur", (0.90, 0.86, 0.77)),
     "linen": Variant("fabric", (0.80, 0.74, 0.63)),

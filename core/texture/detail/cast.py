@@ -1,4 +1,4 @@
-"""Smooth things: glazed, moulded, blown, painted."""
+"""Smooth things: glazed, moulded, blown, painted, kneaded."""
 
 import numpy as np
 
@@ -6,6 +6,8 @@ from core.texture.detail.noise import smoothstep
 from core.texture.detail.place import Layer, Place
 
 GREY = (0.70, 0.70, 0.70)
+PRINT, RIDGES = 7.0, 10.0  # fingerprints a unit, and ridges from the middle of one to its rim
+BANDS = 4.0  # of candy, a unit along each axis
 
 
 def ceramic(place: Place) -> Layer:
@@ -44,6 +46,37 @@ def plastic(place: Place) -> Layer:
         GREY,
         roughness=0.05 * grain + 0.06 * slow,
         height=0.0004 * grain + 0.0006 * slow,
+    )
+
+
+def plasticine(place: Place) -> Layer:
+    """Modelled with the fingers: soft dents, and the prints that they left here and there."""
+    noise, p = place.noise, place.point
+    near, _, which = noise.cells(p + 0.03 * noise.waves(p, 9.0, 1)[:, None], PRINT, 2)
+    pressed = smoothstep(0.62, 0.35, near) * smoothstep(0.5, 0.6, which)
+    ridge = np.sin(2 * np.pi * RIDGES * near) * pressed * noise.seen(PRINT * RIDGES)
+    dent, kneaded = noise.waves(p, 6.0, 3, 2), noise.waves(p, 3.0, 4, 3)
+    return Layer.of(
+        0.25 * kneaded - 0.05 * ridge + 0.08 * pressed,
+        GREY,
+        roughness=0.08 * kneaded - 0.06 * pressed,
+        height=0.013 * dent - 0.005 * pressed + 0.0004 * ridge,
+    )
+
+
+def candy(place: Place) -> Layer:
+    """Boiled sugar that was pulled: bands of white through the colour, under a glaze."""
+    noise, p = place.noise, place.point
+    pulled = p.sum(1) * np.float32(BANDS) + 0.35 * noise.waves(p, 2.5, 1, 2)
+    white = smoothstep(0.1, 0.3, np.sin(2 * np.pi * pulled))
+    return Layer.of(
+        0.15 * noise.waves(p, 4.0, 2, 2),
+        GREY,
+        over=np.full((len(p), 3), (0.86, 0.83, 0.80), np.float32),
+        cover=white,
+        apart=white,
+        roughness=0.03 * noise.waves(p, 9.0, 3, 2),
+        height=0.003 * noise.waves(p, 5.0, 4, 2) + 0.0012 * white,
     )
 
 

@@ -1,4 +1,4 @@
-"""Cloth and leather."""
+"""Cloth, sequins on it, and leather."""
 
 import numpy as np
 
@@ -8,6 +8,7 @@ from core.texture.detail.place import Layer, Place
 THREAD = 0.013  # from one thread to the next, in units
 TWILL = 0.010
 PEBBLE = 0.0147  # of leather
+SEQUIN = 0.024
 
 
 def fabric(place: Place) -> Layer:
@@ -58,6 +59,20 @@ def velvet(place: Place) -> Layer:
         (0.55, 0.55, 0.55),
         roughness=0.2 * pile_way,
         height=0.0006 * pile + 0.0008 * pile_way,
+    )
+
+
+def sequins(place: Place) -> Layer:
+    """Small discs of metal, each hung at another angle, on dark cloth."""
+    noise = place.noise
+    near, edge, one = noise.cells(place.point, 1 / noise.shown(SEQUIN), 1, jitter=0.6)
+    disc = smoothstep(0.04, 0.16, edge)
+    return Layer.of(
+        1.2 * (1 - disc) + 1.6 * (one - 0.5),
+        (0.45, 0.45, 0.45),
+        roughness=(0.25 * one - 0.75) * disc,
+        metallic=0.95 * disc,
+        height=disc * (0.0030 - 0.0055 * near * (one - 0.2)),
     )
 
 

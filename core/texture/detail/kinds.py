@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from core.texture.detail import cast, cloth, growing, living, metal, rust, stone, wood
+from core.texture.detail import cast, cloth, ground, growing, living, metal, rust, stone, wood
 from core.texture.detail.place import Layer, Place
 
 KINDS: dict[str, Callable[[Place], Layer]] = {
@@ -16,10 +16,14 @@ KINDS: dict[str, Callable[[Place], Layer]] = {
     "cast iron": metal.cast,
     "golden": metal.golden,
     "gold leaf": metal.leaf,
+    "iridescent": metal.iridescent,
+    "pearl": metal.pearl,
     "copper": metal.hammered,
     "rusty": rust.rusty,
     "rusted paint": rust.rusted_paint,
     "plastic": cast.plastic,
+    "plasticine": cast.plasticine,
+    "candy": cast.candy,
     "rubber": cast.rubber,
     "ceramic": cast.ceramic,
     "clay": cast.clay,
@@ -35,6 +39,7 @@ KINDS: dict[str, Callable[[Place], Layer]] = {
     "denim": cloth.denim,
     "felt": cloth.felt,
     "velvet": cloth.velvet,
+    "sequins": cloth.sequins,
     "fur": living.fur,
     "hair": living.hair,
     "feathers": living.feathers,
@@ -56,6 +61,9 @@ KINDS: dict[str, Callable[[Place], Layer]] = {
     "cream": growing.cream,
     "paper": growing.paper,
     "soil": growing.soil,
+    "snow": ground.snow,
+    "sand": ground.sand,
+    "lava": ground.lava,
     "flame": growing.flame,
     "embers": growing.embers,
     "liquid": growing.liquid,

@@ -1,4 +1,4 @@
-"""Metals: brushed, polished, cast, hammered, leafed."""
+"""Metals: brushed, polished, cast, hammered, leafed; and thin films of many colours."""
 
 import numpy as np
 
@@ -6,6 +6,7 @@ from core.texture.detail.noise import Values, smoothstep
 from core.texture.detail.place import Layer, Place
 
 GREY = (0.72, 0.72, 0.72)
+FILM = (0.7, 0.5, 1.1)  # turns of the hue for each axis that the surface faces
 
 
 def strokes(place: Place, salt: int) -> Values:
@@ -102,6 +103,26 @@ def leaf(place: Place) -> Layer:
         roughness=0.25 * (sheet - 0.5) + 0.08 * crease + 0.3 * crack,
         height=0.0006 * crease - 0.0012 * crack + 0.001 * sheet,
     )
+
+
+def iridescent(place: Place) -> Layer:
+    """A thin film: all hues, by the side that is looked at and by how thick the film is. A texture
+    does not know the eye, so the surface's own direction is taken."""
+    return _film(place, 0.85)
+
+
+def pearl(place: Place) -> Layer:
+    """Nacre, pearly paint: the same, pale."""
+    return _film(place, 0.22)
+
+
+def _film(place: Place, vivid: float) -> Layer:
+    noise, p = place.noise, place.point
+    turn = place.normal @ np.array(FILM, np.float32) + 0.7 * noise.waves(p, 2.5, 1, 3)
+    hue = np.cos(2 * np.pi * (turn[:, None] + np.arange(3, dtype=np.float32) / 3))
+    hand = smudges(place, 2)
+    plain = Layer.of(0.1 * hand, GREY, roughness=0.04 * np.abs(hand), height=0.0006 * hand)
+    return plain._replace(ratio=plain.ratio * np.exp(vivid * hue))
 
 
 def dents(place: Place, frequency: float, salt: int) -> Values:

@@ -1,4 +1,4 @@
-"""Effects of time on any material: wear, dirt, dust, moss, snow."""
+"""Effects of time on any material: wear, fire, dirt, dust, moss, snow."""
 
 from collections.abc import Callable
 
@@ -24,6 +24,20 @@ def worn(place: Place) -> Layer:
         RUBBED,
         roughness=0.14 * scuff + 0.1 * edge + 0.12 * scratch,
         height=-0.0008 * scratch - 0.0030 * dent - 0.0016 * edge,
+    )
+
+
+def charred(place: Place) -> Layer:
+    """Burnt: black, cracked into small blocks, grey with ash here and there; what the fire spared
+    is browned."""
+    noise, p = place.noise, place.point
+    burnt = smoothstep(-0.45, 0.05, noise.waves(p, 3.0, 105, 4) + 0.5 * place.edge)
+    _, edge, _ = noise.cells(p + 0.01 * noise.waves(p, 15.0, 106, 2)[:, None], (24, 24, 14), 107)
+    crack = smoothstep(0.16, 0.02, edge)
+    ash = smoothstep(0.2, 0.55, noise.waves(p, 9.0, 108, 4)) * (1 - crack)
+    black = np.array([0.013, 0.011, 0.010], np.float32) + 0.10 * ash[:, None]
+    return covering(
+        0.55 + 0.43 * burnt, black, roughness=0.4, height=burnt * (0.002 * ash - 0.005 * crack)
     )
 
 
@@ -102,6 +116,7 @@ def laid(top: Layer, base: Layer) -> Layer:
 
 WEATHERS: dict[str, Callable[[Place], Layer]] = {
     "worn": worn,
+    "charred": charred,
     "dirty": dirty,
     "dusty": dusty,
     "mossy": mossy,

@@ -47,7 +47,7 @@ FIGURES = {
     ),
     "teddy bear": Noun(
         "teddy; stuffed bear, plush bear, plushie, stuffed animal, plush toy, stuffed toy, "
-        "soft toy, cuddly toy",
+        "soft toy, cuddly toy; gummy bear, gummi bear, gummybear",
         {
             "body": "*96612f . fabric",
             "muzzle": "+d9b382 . fabric",

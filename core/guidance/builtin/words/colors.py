@@ -140,6 +140,7 @@ SHADES: dict[str, dict[str, str]] = {
         "chocolate brown": "3f2416", "light brown": "a97c50", "chestnut": "6f3a22",
         "chestnut brown": "6f3a22", "cognac": "8f4a22", "caramel": "b8742e",
         "coffee brown": "4b3020", "golden brown": "b07a35", "umber": "5c4030", "sienna": "a0522d",
+        "burnt umber": "6b3520", "burnt sienna": "a84a24",
         "mocha": "6b4a3a", "walnut brown": "5d4030", "rust brown": "7a3f20",
         "camel brown": "c19a6b", "mocha brown": "6b4a3a", "espresso brown": "3a2418",
         "nut brown": "7a4a28", "hazelnut brown": "94653c", "tobacco brown": "7a5230",

@@ -267,6 +267,7 @@ _ROWS = {
     "squirrel": "0.2: chipmunk",
     "crocodile": "0.4: baby crocodile; 1.8: caiman",
     "jellyfish": "0.3: moon jelly",
+    "teddy bear": "0.02: gummy bear, gummi bear, gummybear",
     "flamingo": "0.65: ibis; 0.9: egret, spoonbill; 0.95: heron",
     "hedgehog": "0.1: baby hedgehog; 0.4: echidna; 0.7: porcupine",
     "seal": "0.9: seal pup, baby seal; 2.2: sea lion; 3: manatee",

@@ -52,6 +52,7 @@ _ROWS = {
     "dachshund, sausage dog": "chestnut; chest: chestnut; muzzle: chestnut",
     "kitsune": "white; tail tip: orange; muzzle: white",
     "polar bear": "white; muzzle: white",
+    "gummy bear, gummi bear, gummybear": "gummy candy",
     "red panda": "rust orange; mask: white; muzzle: white; stripes: chestnut; eyes: black",
     # hoofed
     "mule, mules": "umber",

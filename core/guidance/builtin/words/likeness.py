@@ -26,14 +26,15 @@ from core.guidance.builtin.words.words import (
     COLORED,
     DEPICTIONS,
     EDIBLE,
+    FILMS,
     FOLDABLE,
     FOLDED,
-    FROZEN,
     GEMS,
     LIT,
+    MASSES,
     MOULDED,
     OF_ANIMALS,
-    OF_WHAT_LIES,
+    ONLY_OF,
     PLUSHIES,
     ROBOTS,
     SEWN,
@@ -43,6 +44,11 @@ from core.guidance.builtin.words.words import (
 )
 
 WOVEN = "wicker"
+KINDS = {
+    "buildings": lambda thing: thing in GROUPS["Buildings"],
+    "creatures": is_creature,
+    "animals": is_animal,
+}
 TASTED = "ice cream"
 GROWN = ("Food", "Fruit and Vegetables", "Plants")  # which take more than the colour of a fruit
 
@@ -92,7 +98,8 @@ class Likeness(Clauses):
         color = look_up(behind, self.known) if end not in self._tokens.breaks else None
         if behind in COLORED or (color is not None and color.slot == "color"):
             return
-        made_of = self._ended_by in ("of", "from", *(["in"] if self._is_shaped() else []))
+        said = material.form.split()[0] in ("made", "of", "from")  # "made of ice" is one form
+        made_of = said or self._ended_by in ("of", "from", *(["in"] if self._is_shaped() else []))
         if made_of or (self._accessory is None and (self._late or not self.got.found["noun"])):
             self._block = material
         self._made_of |= made_of and bool(self.got.found["noun"])
@@ -118,6 +125,8 @@ class Likeness(Clauses):
         if toys and not self.got.is_toy:
             self._take_toy(toys[0])
         block = self._block
+        is_mass = block in found and block is not None and block.form in MASSES
+        self.got.is_statue |= is_mass and is_creature(thing)
         if animal and "balloon" in self.got.qualifiers:
             self.got.is_statue = True
             if not self.got.found["color"] and "balloon" in self._made_as:
@@ -149,13 +158,24 @@ class Likeness(Clauses):
         """ "A robot dog" is of metal by default."""
         for form in (form for form in AS_MATERIAL if form in self.got.qualifiers):
             of = look_up(AS_MATERIAL[form], self.known)
+            if of in self.got.found["material"] and form in ONLY_OF:
+                self.got.left_out.remove(form)  # "a molten lava golem"
             if of is not None and not self.got.found["material"] and self._may_be_of(form):
                 self.got.left_out.remove(form)
-                self.got.notes.append(f"{form}: made as {of.form.removeprefix('of ')}.")
+                name = of.form.removeprefix("made ").removeprefix("of ")
+                self.got.notes.append(f"{form}: made as {name}.")
                 self.got.found["material"].append(of)
                 self._made_as.append(form)
                 if form not in ROBOTS:
                     self._block = of
+
+    def _leave_its_film(self) -> None:
+        """ "An iridescent glass vase" is of glass."""
+        found = self.got.found["material"]
+        films = [one for one in found if one.form in FILMS]
+        for one in films if len(films) < len(found) else ():
+            found.remove(one)
+            self.got.leave_aside([one.form], "one material is taken")
 
     def _shade_as_qualified(self) -> None:
         """ "A peach armchair" is peach orange, "a strawberry ice cream" strawberry pink; a lemon
@@ -199,10 +219,10 @@ class Likeness(Clauses):
             return is_animal(self.got.thing)
         if form == "bone" and self.got.thing == "saw":  # which is for bones
             return False
-        if form not in OF_WHAT_LIES or self.got.is_statue or self.got.thing in GROUPS["Buildings"]:
+        if form not in ONLY_OF or self.got.is_statue:
             return True
-        cold = is_creature(self.got.thing) or self.got.thing in FROZEN
-        return form in ("ice", "frozen") and cold
+        kinds, things = ONLY_OF[form]
+        return self.got.thing in things or any(KINDS[one](self.got.thing) for one in kinds.split())
 
     def _set_its_gem(self) -> None:
         """ "An emerald ring" has an emerald."""
@@ -236,6 +256,7 @@ class Likeness(Clauses):
             is_open = not found["material"] if entry.slot == "material" else is_plain
             if is_open:
                 found[entry.slot].append(entry)
+                self.got.is_statue |= entry.form in MASSES  # a gummy bear
         for part, name in parts.items() if is_plain else ():
             color = look_up(name, self.known)
             if color is not None and part in looks_of(self.got.thing):

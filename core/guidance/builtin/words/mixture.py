@@ -7,7 +7,7 @@ a hammer has a wooden handle and a chair steel legs. Standard library only.
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.substances import (
     CLASS_OF,
     CLOTH,
@@ -27,7 +27,19 @@ from core.guidance.builtin.words.lexicon import Entry, forms_of, look_up
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_names import own_names
 from core.guidance.builtin.words.tokens import LONGEST, Tokens
-from core.guidance.builtin.words.words import ARTICLES, COLORED, LOOKS, PHRASE_ENDS, PLAIN
+from core.guidance.builtin.words.words import (
+    ARTICLES,
+    COLORED,
+    LOOKS,
+    PHRASE_ENDS,
+    PLAIN,
+    STEAM_CLOTHES,
+    STEAM_DRIVEN,
+    STEAM_GROUPS,
+    STEAM_METALS,
+    STEAM_WORN,
+    STEAMPUNK,
+)
 
 GEM_PARTS = ("gem", "gems", "stone")
 BY_NATURE, WELL = 2, 4  # score of a part for its natural class; and one without doubt
@@ -113,6 +125,26 @@ def distribute_materials(got: Findings, tokens: Tokens) -> None:
         if not _state(got, parts, one):
             forms = [each.form for each in (one.color, one.entry) if each]
             got.leave_aside(forms, "one material is taken")
+
+
+def make_steampunk(got: Findings) -> None:
+    """Make a steampunk machine, vehicle or building of brass and copper, a hat of leather and
+    brass, unless the prompt states a colour or a material."""
+    found, thing = got.found, got.thing
+    looks = found["material"] + found["color"] + [part for part in got.parts if part.there]
+    driven = thing in STEAM_DRIVEN or any(thing in GROUPS[group] for group in STEAM_GROUPS)
+    forms = STEAM_CLOTHES if thing in STEAM_WORN else STEAM_METALS if driven else ()
+    first, second = (look_up(form, got.known) for form in forms or ("", ""))
+    if STEAMPUNK not in got.qualifiers or looks or not (first and second):
+        return
+    suited = parts_of_each(thing, [first, second])
+    found["material"].append(first)
+    hard = [p for p in _lesser(thing, "+&") if CLASS_OF.get(natural_kind(thing, p)) != CLOTH]
+    more = _lesser(thing, "+&") if thing in STEAM_WORN else hard  # a clock's face is of paper
+    others = list(dict.fromkeys([*suited, *more]))
+    both = f"{first.form} and {second.form}" if _state(got, others, Named(second)) else first.form
+    got.left_out.remove(STEAMPUNK)
+    got.notes.append(f"{STEAMPUNK}: made of {both}.")
 
 
 def _color_next_to(material: Named, got: Findings) -> Entry | None:

@@ -24,7 +24,7 @@ from core.guidance.builtin.words.lexicon import (
 )
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.look_order import set_looks_in_order
-from core.guidance.builtin.words.mixture import distribute_materials
+from core.guidance.builtin.words.mixture import distribute_materials, make_steampunk
 from core.guidance.builtin.words.name_order import set_names_in_order
 from core.guidance.builtin.words.part_names import (
     as_part,
@@ -93,11 +93,13 @@ class Reading(Stature):
         self._leave_strange_parts_aside()
         self._set_its_gem()
         self._make_as_qualified()
+        self._leave_its_film()
         self._shade_as_qualified()
         self._leave_as_woven()
         self._leave_its_fire()
         self._spare_the_living()
         distribute_materials(self.got, self._tokens)
+        make_steampunk(self.got)
         self._set_depicted()
         self._darken_its_stripes()
         self._look_like_its_kind()

@@ -48,17 +48,19 @@ MATERIALS = {
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
     "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum, "
     "robotic, mirrored, scrap metal, sheet metal, corrugated metal, corrugated iron, steel mesh, "
-    "wire mesh",
+    "wire mesh, iridescent, holographic",
     "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
     "polished brass, rose gold, white gold",
     "plastic": "; acrylic, vinyl, resin, epoxy, nylon, carbon fiber, carbon fibre, fiberglass, "
     "polypropylene, polycarbonate, acetate, pvc, "
-    "fibreglass, bakelite, tortoiseshell, chocolate, white chocolate, dark chocolate, wax",
+    "fibreglass, bakelite, tortoiseshell, chocolate, white chocolate, dark chocolate, wax, "
+    "plasticine, claymation, modelling clay, modeling clay, play doh, playdoh, play dough, "
+    "made of candy, pearlescent, pearly, nacreous, opalescent",
     "rubber": "; silicone, latex",
     "stone": "rock; marble, granite, concrete, brick, sandstone, slate, limestone, cobblestone, "
     "alabaster, onyx, obsidian, jade, quartz, travertine, plaster, stucco, basalt, white marble, "
     "black marble, green marble, lapis lazuli, malachite, "
-    "terrazzo",
+    "terrazzo, made of snow, made of sand, made of lava",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, bone china, glazed ceramic; clay, terracotta, terra cotta, "
     "earthenware, stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, "
@@ -68,12 +70,13 @@ MATERIALS = {
     "tinted glass, smoked glass, smoky glass, stained glass, of crystal, of ice, icy, made of ice, "
     "from ice, "
     "transparent, translucent, crystal clear, see through, see thru, perspex, plexiglass, "
-    "plexiglas",
+    "plexiglas, made of jelly, gummy candy",
     "copper": "polished copper; bronze",
     "fabric": "cloth, textile, upholstered; canvas, felt, wool, woollen, woolen, velvet, cotton, "
     "silk, denim, knitted, knit, woven, plush, fur, furry, fluffy, linen, lace, tweed, corduroy, "
     "burlap, jute, cashmere, microfiber, polyester, yarn, crochet, crocheted, quilted, sheepskin, "
-    "fleece, paper, cardboard, papier mache, paper mache, boucle, chenille, mohair",
+    "fleece, paper, cardboard, papier mache, paper mache, boucle, chenille, mohair, "
+    "sequined, sequinned, sequin, made of moss",
 }
 # Names of things that imply glass, unless a material is stated.
 GLASSWARE = frozenset(
@@ -89,6 +92,8 @@ WEATHERS = {
     "beaten up, with scratches; chipped, cracked, peeling, faded, dented, chipped paint, "
     "peeling paint, cracked paint, faded paint, tarnished, patinated, scratch marks, rust spots, "
     "rust stains, patches of rust, abandoned, derelict, crumbling",
+    "charred": "burnt, burned, scorched, singed, burnt down, burned down, burnt out, burned out, "
+    "fire damaged; sooty, covered in soot",
     "dirty": "grimy, muddy, filthy, grungy, covered in mud, covered in dirt, covered with mud",
     "dusty": "dust covered, covered in dust, covered with dust",
     "mossy": "moss covered, overgrown, covered in moss, covered with moss, with moss, moss on",
@@ -132,12 +137,42 @@ AS_MATERIAL = dict.fromkeys(ROBOTS, "metal") | {
     "cuddly": "plush",
     "ice": "of ice",
     "frozen": "of ice",
-    "snow": "plaster",
-    "sand": "sandstone",
+    "snow": "made of snow",
+    "sand": "made of sand",
+    **dict.fromkeys(("lava", "magma", "molten"), "made of lava"),
+    **dict.fromkeys(("jelly", "gummy", "jello", "gelatin", "gelatine"), "made of jelly"),
+    "candy": "made of candy",
+    "moss": "made of moss",
 }
-# Only for buildings and likenesses: an ice bucket is for ice, a snow leopard is white.
-OF_WHAT_LIES = ("ice", "frozen", "snow", "sand")
-FROZEN = ("throne", "crown", "sword", "shield", "staff")  # and an ice dragon
+# Only for likenesses, these groups and these things: an ice bucket is for ice, a snow leopard is
+# white, a lava lamp is lit, a jelly jar is for jelly, a candy factory makes candy.
+_FROZEN = ("throne", "crown", "sword", "shield", "staff")
+_STONY = ("castle", "tower", "temple", "wall", "gate", "arch", "bridge", "cube", "ball")
+_ONLY_OF = {
+    "ice, frozen": ("buildings creatures", _FROZEN),
+    "snow, sand": ("buildings", ("golem", "ball")),
+    "lava, magma, molten": (
+        "creatures",
+        (*_FROZEN, *_STONY, "axe", "war hammer", "helmet", "chestplate"),
+    ),
+    "jelly, gummy, jello, gelatin, gelatine": ("creatures", ("cube", "ball", "heart", "star")),
+    "candy": ("animals", ("house", "cottage", "castle", "tower")),
+    "moss": ("", ("golem", "ball", "cube", "heart", "wall", "rug", "house", "cottage")),
+}
+ONLY_OF = {form: row for forms, row in _ONLY_OF.items() for form in forms.split(", ")}
+# What steam might drive: things of these groups, and these; clothes are of leather and brass.
+STEAMPUNK, STEAM_METALS, STEAM_CLOTHES = "steampunk", ("brass", "copper"), ("leather", "brass")
+STEAM_GROUPS = ("Vehicles", "Aircraft and Space", "Buildings", "Electronics", "Tools and Toys")
+STEAM_DRIVEN = frozenset(
+    """mech lamp clock engine cannon pistol rifle shotgun revolver crossbow jetpack lantern spyglass
+    binoculars compass kettle stove safe globe megaphone syringe bomb grenade padlock key""".split()
+) | {
+    *("floor lamp", "desk lamp", "alarm clock", "grandfather clock", "pocket watch", "ray gun"),
+    *("rocket launcher", "washing machine", "gumball machine", "moka pot", "wall sconce"),
+}
+STEAM_WORN = frozenset("hat helmet goggles watch".split()) | {"cowboy hat", "gas mask"}
+# Finishes more than materials: "an iridescent glass vase" is of glass.
+FILMS = ("iridescent", "holographic", "pearlescent", "pearly", "nacreous", "opalescent")
 OF_ANIMALS = ("stuffed", "cuddly", "balloon")  # a stuffed pepper is not of plush
 # Unspecific materials.
 PLAIN = ("metal", "metallic", "wood", "wooden", "fabric", "plastic", "stone", "upholstered")
@@ -340,6 +375,9 @@ CAST = ("metal", "rusty", "golden", "copper", "stone", "glass")
 CARVED = ("stone", "glass", "wooden", "ceramic")
 EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
 MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
+# All of a creature is of these, a golem too: no moss grows on lava.
+MASSES = ("made of lava", "made of snow", "made of sand", "made of jelly", "gummy candy")
+MASSES += ("made of candy",)
 # A living thing of these is a soft toy; a foldable thing of the others is a toy too.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
