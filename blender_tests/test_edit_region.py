@@ -94,6 +94,10 @@ def test_what_is_flat_is_kept_flat(chair, wait):
     _, faces, _, flat = read_obj(path)
     lines = path.read_text().splitlines()
     assert flat and sum(line.startswith("vn ") for line in lines) == len(faces)
+    of_corners = [line.split()[1:] for line in lines if line.startswith("f ")]
+    assert [{c.split("/")[2] for c in one} for one in of_corners] == [
+        {str(k + 1)} for k in range(len(faces))
+    ]
     bpy.ops.object.mode_set(mode="OBJECT")
     wait()
 

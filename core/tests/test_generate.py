@@ -28,6 +28,7 @@ from core.io.obj import obj_text
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
 from core.job_config import retouching, shortened
+from core.stages.texturing import load_unwrapped
 from core.tests import tiny_runs
 from core.tests.forked import ONE_THREAD, Session
 from core.tests.offline import ONLINE, alone_here, attempts, cut_off, recorder
@@ -406,11 +407,13 @@ def test_a_users_mesh_keeps_its_sharp_edges(command, shape, strength, fine, own)
 def test_a_style_is_made_from_words_to_the_asset(tmp_path, style):
     settings = {"geometry.voxels": "12", "appearance.early.steps": "2"}
     settings |= {"appearance.late.steps": "0", "appearance.refine.steps": "2"}
-    job = Job(prompt=f"a {style} dumbbell", texture_size=128, settings=settings)
+    job = Job(prompt=f"a {style} striped dumbbell", texture_size=128, settings=settings)
     run = RunFolder.create(tmp_path / "run", job)
     asset = read_asset(generate(run, prepare(run.job), Progress(run)))
     report = asset.info["mesh"]
     assert asset.mesh.flat and report["closed"] and report["manifold"]
+    kept = load_unwrapped(run)
+    assert kept is not None and kept.mesh.flat  # a resumed run has it too
     assert (asset.maps.normal - torch.tensor([0.0, 0, 1])).abs().max() < 1e-3  # no relief
     assert {event["path"] for event in read_events(run.path) if event["type"] == "preview"} >= {
         "preview/normals.png",
@@ -421,6 +424,12 @@ def test_a_style_is_made_from_words_to_the_asset(tmp_path, style):
     if style == "voxel":
         steps = asset.mesh.verts / asset.mesh.verts[:, 2].unique().diff().min()
         assert (steps.diff(dim=0) - steps.diff(dim=0).round()).abs().max() < 1e-2
+        uv, face_uvs = asset.mesh.atlas
+        corners = uv[face_uvs].view(-1, 6, 2)
+        at = corners.mean(1, keepdim=True).lerp(corners, 0.7) * 128
+        colors = asset.maps.base_color[127 - at[..., 1].long(), at[..., 0].long()]
+        assert (colors - colors[:, :1]).abs().max() < 1e-2  # each square has one
+        assert colors[:, 0].std(0).max() > 0.05  # the stripes
     else:
         assert len(asset.mesh.faces) < 800
 
@@ -430,6 +439,8 @@ def test_a_style_is_of_shapes_that_are_made_here_alone():
     inputs = prepare(job)
     assert styled_inputs(inputs, job).config.geometry.style == "voxels"
     assert not unstyled(job, inputs)
+    both = prepare(Job(prompt="a voxel knight riding a horse"))
+    assert styled_inputs(both, job).config.geometry.style == "voxels"
     mesh = replace(job, command="texture", mesh="own.obj")
     assert styled_inputs(inputs, mesh).config.geometry.style == "none"
     assert "voxels: left out" in unstyled(mesh, inputs)[0]

@@ -76,3 +76,23 @@ def test_words_of_a_picture_and_praise_ask_for_nothing_that_is_missing(prompt, n
 @pytest.mark.parametrize("prompt", ["an anime cat", "a high poly cat", "a cat in vivid colors"])
 def test_a_style_that_would_be_seen_is_still_reported(prompt):
     assert parse(prompt).left_out and parse(prompt).notes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "noun", "companions"),
+    [
+        ("a pot of gold", "cauldron", ["coin"]),
+        ("a tea set", "teapot", ["teacup"]),
+        ("a tea set on a silver tray", "plate", ["teapot", "teacup"]),
+        ("a giant mushroom with a red door and windows", "mushroom house", []),
+        ("a mushroom with white spots", "mushroom", []),
+        ("a tank of fish", "aquarium", []),
+        ("a hot dog stand", "market stall", []),
+        ("a surfboard leaning against a palm tree", "surfboard", ["palm"]),
+        ("an umbrella propped up against a fence", "umbrella", ["fence"]),
+    ],
+)
+def test_names_of_several_words_mean_what_is_known(prompt, noun, companions):
+    words = parse(prompt)
+    assert (words.noun, [one.words.noun for one in words.companions]) == (noun, companions)
+    assert words.left_out == ()
