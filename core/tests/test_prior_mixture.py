@@ -295,6 +295,8 @@ def test_a_natural_kind_is_stated_or_known_by_its_name():
     [
         ("a steampunk helicopter", ["brass"], {"rotor": "copper", "bands": "copper"}),
         ("a steampunk robot", ["brass"], {"limbs": "copper"}),
+        ("a robot in steampunk style", ["brass"], {"limbs": "copper"}),
+        ("a robot, steampunk, highly detailed", ["brass"], {"limbs": "copper"}),
         ("a steampunk house", ["brass"], {"roof": "copper"}),
         ("a steampunk submarine", ["brass"], {"fins": "copper", "keel": "copper"}),
         ("a steampunk clock", ["brass"], {"feet": "copper"}),  # and not the face
@@ -315,6 +317,7 @@ def test_what_steam_drives_is_of_brass_and_copper(prompt, main, of_parts):
     ("prompt", "materials"),
     [
         ("a steampunk cat", []),
+        ("a helicopter with a steampunk propeller", []),
         ("a steampunk man", []),
         ("a steampunk banana", []),
         ("a steampunk red car", []),

@@ -370,6 +370,7 @@ def test_a_material_behind_made_of_keeps_its_colour_and_its_thing() -> None:
     assert read("a bear made of moss")["left_out"] == []
     assert read("a molten lava golem")["left_out"] == []
     assert read("a gummy bear")["size_m"] == 0.02
+    assert read("a snowball")["materials"] == ["packed snow"]
 
 
 def test_a_statue_of_what_has_no_colour_of_its_own_is_of_one_colour() -> None:

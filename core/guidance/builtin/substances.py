@@ -32,6 +32,8 @@ ROUGHNESS = {
     "crumb": 0.9,
     "paper": 0.85,
     "soil": 0.95,
+    "snow": 0.85,
+    "sand": 0.95,
     "wicker": 0.8,
     "flame": 0.5,
     "embers": 0.5,
@@ -249,7 +251,7 @@ OF_THE_REST = {
     "chitin": "beetle, ant, ladybug, scorpion, crab, dragonfly, lobster",
     "clay": "vase, flower pot, planet",
     "cream": (
-        "ice cream, sundae, cheese, chocolate bar, lollipop, candy cane, popsicle, snowman, "
+        "ice cream, sundae, cheese, chocolate bar, lollipop, candy cane, popsicle, "
         "candle, cloud, fried egg"
     ),
     "crumb": "cake, popcorn",
@@ -284,7 +286,9 @@ OF_THE_REST = {
         "lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, mermaid"
     ),
     "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
-    "soil": "volcano, mountain, igloo, sandcastle",
+    "snow": "snowman",
+    "sand": "sandcastle",
+    "soil": "volcano, mountain",
     "wet skin": (
         "orca, axolotl, frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, "
         "alien"
@@ -356,7 +360,7 @@ GLOW = {
 # Kinds that do not wear as things do: living, growing, edible, or without a shape of their own.
 UNWORN = frozenset(
     """eye hair fur feathers scales hide skin chitin leaf foliage petal peel flesh crust crumb cream
-    soil flame embers liquid bark""".split()
+    soil snow sand flame embers liquid bark""".split()
 ) | {"wet skin"}
 BURNING = ("flame", "embers")
 

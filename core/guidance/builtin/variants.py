@@ -123,7 +123,7 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "brick": Variant("brick", (0.58, 0.30, 0.22), 0.9),
     "sandstone": Variant("concrete", (0.76, 0.62, 0.43), 0.9),
     "slate": Variant("stone", (0.29, 0.31, 0.34), 0.7),
-    "made of snow": Variant("snow", (0.93, 0.95, 0.98), 0.85),
+    "made of snow, packed snow": Variant("snow", (0.93, 0.95, 0.98), 0.85),
     "made of sand": Variant("sand", (0.80, 0.67, 0.46), 0.95),
     "made of lava": Variant("lava", (1.0, 0.34, 0.03), 0.85, glow=1.0),
     # of ceramic

@@ -127,6 +127,7 @@ _ROWS = {
     "peony, peony flower, carnation": "pink",
     "cherry blossom tree, blossom tree, cherry tree": "pink",
     "autumn tree, maple tree": "burnt orange",
+    "snowball": "packed snow",
     "birch tree": "leaf green; trunk: white",
     "olive tree": "sage",
     "meteorite, asteroid, moon rock, space rock": "charcoal; moss: charcoal",

@@ -127,7 +127,7 @@ def distribute_materials(got: Findings, tokens: Tokens) -> None:
             got.leave_aside(forms, "one material is taken")
 
 
-def make_steampunk(got: Findings) -> None:
+def make_steampunk(got: Findings, tokens: Tokens) -> None:
     """Make a steampunk machine, vehicle or building of brass and copper, a hat of leather and
     brass, unless the prompt states a colour or a material."""
     found, thing = got.found, got.thing
@@ -135,7 +135,11 @@ def make_steampunk(got: Findings) -> None:
     driven = thing in STEAM_DRIVEN or any(thing in GROUPS[group] for group in STEAM_GROUPS)
     forms = STEAM_CLOTHES if thing in STEAM_WORN else STEAM_METALS if driven else ()
     first, second = (look_up(form, got.known) for form in forms or ("", ""))
-    if STEAMPUNK not in got.qualifiers or looks or not (first and second):
+    ends = {*tokens.breaks, len(tokens.words)}
+    alone = any(ends.issuperset((k, k + 1)) for k, x in enumerate(tokens.words) if x == STEAMPUNK)
+    styled = f"{STEAMPUNK} style" in " ".join(tokens.words)
+    said = alone or styled or STEAMPUNK in got.qualifiers
+    if not said or STEAMPUNK not in got.left_out or looks or not (first and second):
         return
     suited = parts_of_each(thing, [first, second])
     found["material"].append(first)

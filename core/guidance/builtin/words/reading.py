@@ -99,7 +99,7 @@ class Reading(Stature):
         self._leave_its_fire()
         self._spare_the_living()
         distribute_materials(self.got, self._tokens)
-        make_steampunk(self.got)
+        make_steampunk(self.got, self._tokens)
         self._set_depicted()
         self._darken_its_stripes()
         self._look_like_its_kind()

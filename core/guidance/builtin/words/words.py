@@ -60,7 +60,7 @@ MATERIALS = {
     "stone": "rock; marble, granite, concrete, brick, sandstone, slate, limestone, cobblestone, "
     "alabaster, onyx, obsidian, jade, quartz, travertine, plaster, stucco, basalt, white marble, "
     "black marble, green marble, lapis lazuli, malachite, "
-    "terrazzo, made of snow, made of sand, made of lava",
+    "terrazzo, made of snow, packed snow, made of sand, made of lava",
     "rusty": "rusty metal, rusted, rusted metal, rusty iron, rusty steel, rust, corroded",
     "ceramic": "porcelain, china, bone china, glazed ceramic; clay, terracotta, terra cotta, "
     "earthenware, stoneware, enamel, enameled, enamelled, mother of pearl, made of bone, "
@@ -377,7 +377,7 @@ EDIBLE = ("chocolate", "white chocolate", "dark chocolate")
 MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of bone")  # of both
 # All of a creature is of these, a golem too: no moss grows on lava.
 MASSES = ("made of lava", "made of snow", "made of sand", "made of jelly", "gummy candy")
-MASSES += ("made of candy",)
+MASSES += ("made of candy", "packed snow")
 # A living thing of these is a soft toy; a foldable thing of the others is a toy too.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
