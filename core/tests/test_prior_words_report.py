@@ -370,6 +370,7 @@ def test_the_groups_hold_every_offered_word_once():
     assert sorted(by_kind["thing"]) == sorted(known["noun"])
     for slot in ("shape", "color", "material", "pattern", "part"):
         assert by_kind[slot] == list(known[slot])
+    assert [parse(f"a {word} chair").style for word in by_kind["style"]] == ["low_poly", "voxels"]
     assert all(group["of"][part] for group in groups if "of" in group for part in group["words"])
     assert max(len(group["words"]) for group in groups) <= 63  # three columns of 21
 

@@ -23,7 +23,9 @@ class FANTASIA3D_OT_add_word(bpy.types.Operator):
 
     word: StringProperty(name="Word", description="The word to add")
     kind: StringProperty(
-        name="Kind", description="thing, shape, color, material, pattern or part", default="thing"
+        name="Kind",
+        description="thing, shape, color, material, pattern, style or part",
+        default="thing",
     )
 
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -9,6 +9,7 @@ from typing import Literal
 from core.guidance.builtin.words.emblems import drawn_in
 
 Style = Literal["", "low_poly", "voxels"]
+OFFERED = "low poly", "voxel"  # in a menu
 
 _AS = r"(?:[- ](?:style|styled|art|look|aesthetic|graphics))*"
 _IN = r"(?:,? ?\b(?:in|as|with)(?: an?| the)? (?=[\w -]*(?:style|art|look|aesthetic|graphics)))?"
