@@ -96,3 +96,14 @@ def test_names_of_several_words_mean_what_is_known(prompt, noun, companions):
     words = parse(prompt)
     assert (words.noun, [one.words.noun for one in words.companions]) == (noun, companions)
     assert words.left_out == ()
+
+
+def test_what_is_written_on_a_thing_stays_as_it_is():
+    for prompt, text in (
+        ('a mug that says "pot of gold"', "pot of gold"),
+        ('a wooden sign that reads "made out of lava"', "made out of lava"),
+        ('a mug that says "tank of fish" next to a tank of fish', "tank of fish"),
+    ):
+        words = parse(prompt)
+        emblems = [*words.emblems, *(e for one in words.companions for e in one.words.emblems)]
+        assert [one.text for one in emblems] == [text], prompt

@@ -26,7 +26,7 @@ from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
-from core.guidance.builtin.words.idioms import in_known_words
+from core.guidance.builtin.words.idioms import apart_from_texts, in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.part_names import own_name
@@ -152,7 +152,8 @@ def parse(
     if not noun_needed:
         return _parsed(prompt, False, known, ignore_unknown)
     prompt, style = style_of(W_SLASH.sub("with ", prompt))
-    prompt = of_no_picture(asked_for(as_made_of(in_known_words(prompt))))
+    prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
+    prompt = of_no_picture(asked_for(prompt))
     prompt = made_active(as_phrase(MINE.sub("", prompt)))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
