@@ -611,3 +611,22 @@ def test_a_marking_in_a_shade_goes_with_what_it_lies_on():
     assert yellow.color == house("a house with a yellow roof")["roof"].color
     striped = house("a house with a striped door")
     assert (striped["door"].pattern, striped["panels"].pattern) == ("striped", "")
+
+
+def test_a_creature_of_lava_or_snow_keeps_its_eyes():
+    for prompt, kept in (
+        ("a lava golem", True),
+        ("a dragon made of snow", True),
+        ("a dragon made of ice", False),
+        ("a gummy bear", False),
+    ):
+        words = parse(prompt)
+        of = {part.name: part.material for part in painted(words.noun, words)}
+        assert (of["eyes"] == "") is kept, prompt
+        assert of["body"]
+    words = parse("a red lava golem")
+    eyes = next(part for part in painted("golem", words) if part.name == "eyes")
+    assert eyes.color == eyes.look.color  # the red is the lava's
+    words = parse("a lava golem with green eyes")
+    eyes = next(part for part in painted("golem", words) if part.name == "eyes")
+    assert eyes.color != eyes.look.color

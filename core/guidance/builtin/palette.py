@@ -31,7 +31,7 @@ from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_names import ASKED
 from core.guidance.builtin.words.part_tables import FRAMES, WHOLE
-from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS
+from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS, WITH_EYES
 
 # Accents of one group do not take a material of the other group that is stated for the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")
@@ -40,6 +40,7 @@ FRAMING = {*HARD, "wooden"} - {"glass"}
 CLEAR = ("glass", "liquid")
 COLORED_METALS = ("golden", "copper", "rusty")
 NO_METAL = ("hair", "fur", "feathers", "skin", "hide", "fabric", "felt")
+EYES = ("eyes", "eye", "whites", "pupils", "glints")
 GLAZED = ("window", "lantern", "greenhouse")  # with a part of glass
 STRIPES = "stripes"  # a part that some things have by nature
 SHADE = "~"  # the role of such a marking, in ``nouns``
@@ -244,7 +245,8 @@ def painted(noun: str, stated: Stated) -> Iterator[Painted]:
         word = other if stated.target in targets and not accent.color else word
         # Words for the whole do not apply to it.
         apart = bool(word[0] or accent.material or accent.pattern)
-        of_whole = (look.role in "*&" or stated.is_statue) and not apart
+        sees = name in EYES and stated.material_form in WITH_EYES
+        of_whole = (look.role in "*&" or stated.is_statue) and not (apart or sees)
         if of_whole or name in below:
             word = first
         if word[0] or apart:
@@ -318,6 +320,8 @@ def _of_words(
 ) -> tuple[str, str, Finish, Color, str]:
     """A part's material by the words and its form, its finish, colour and pattern."""
     material, form = accent.material, accent.material_form
+    if not material and accent.part in EYES and stated.material_form in WITH_EYES:
+        return "", "", look.finish, look.color, look.pattern
     if not material and (stated.is_statue or is_of(noun, accent.part, stated.material)):
         material, form = stated.material, stated.material_form
     if not material:

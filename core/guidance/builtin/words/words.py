@@ -378,6 +378,8 @@ MOULDED = (*EDIBLE, "clay", "terracotta", "terra cotta", "latex", "vinyl", "of b
 # All of a creature is of these, a golem too: no moss grows on lava.
 MASSES = ("made of lava", "made of snow", "made of sand", "made of jelly", "gummy candy")
 MASSES += ("made of candy", "packed snow")
+# But for the eyes, of these: among glowing cracks one would not find the head.
+WITH_EYES = ("made of lava", "made of snow", "made of sand")
 # A living thing of these is a soft toy; a foldable thing of the others is a toy too.
 SEWN = ("plush", "felt", "knitted", "knit", "crochet", "crocheted", "yarn")
 FOLDABLE = ("airplane", "boat", "dragon", "fighter jet")
