@@ -58,6 +58,10 @@ class Thing(Protocol):
         """The surfaces of all its parts."""
         ...
 
+    def style(self) -> str:
+        """That of its words."""
+        ...
+
     def left_out(self) -> tuple[str, ...]:
         """Notes."""
         ...
