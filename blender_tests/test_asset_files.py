@@ -10,7 +10,7 @@ bpy = pytest.importorskip("bpy")
 torch = pytest.importorskip("torch")
 
 from core.geometry.mesh import Mesh  # noqa: E402
-from core.geometry.tangents import corner_tangents, smooth_normals  # noqa: E402
+from core.geometry.tangents import corner_tangents, shading_normals, smooth_normals  # noqa: E402
 from core.io.asset import export, place, write_asset  # noqa: E402
 from core.tests.texture_shapes import smooth_material, torus, torus_uv  # noqa: E402
 from core.texture.bake import bake  # noqa: E402
@@ -85,11 +85,26 @@ def test_tangents_are_blenders(by: str, mirrored: bool) -> None:
     mesh = blender_mesh(verts, faces, uv, face_uvs)
     mesh.calc_tangents(uvmap="uv")
     want, sign = got(mesh.loops, "tangent", 3), got(mesh.loops, "bitangent_sign", 1)
-    ours = corner_tangents(Mesh(verts, faces, uv, face_uvs), smooth_normals(verts, faces))
+    own = Mesh(verts, faces, uv, face_uvs)
+    ours = corner_tangents(own, shading_normals(own).corners)
     flat = ours.reshape(-1, 4).numpy()
     assert np.quantile(degrees(flat[:, :3], want), 0.999) < 0.5
     assert np.mean(flat[:, 3:] != sign) < 0.001
     assert (sign < 0).any() == (mirrored or by == "folded")  # the unwrap mirrors no island
+
+
+def test_a_flat_meshs_tangents_are_blenders() -> None:
+    verts, faces = standing()
+    uv, face_uvs = torus_uv(N, M)
+    mesh = blender_mesh(verts, faces, uv, face_uvs)
+    mesh.shade_flat()
+    mesh.calc_tangents(uvmap="uv")
+    own = Mesh(verts, faces, uv, face_uvs, flat=True)
+    normals = shading_normals(own).corners
+    ours = corner_tangents(own, normals).reshape(-1, 4).numpy()
+    assert degrees(normals.reshape(-1, 3).numpy(), got(mesh.loops, "normal", 3)).max() < 0.2
+    assert np.quantile(degrees(ours[:, :3], got(mesh.loops, "tangent", 3)), 0.999) < 0.5
+    assert np.mean(ours[:, 3:] != got(mesh.loops, "bitangent_sign", 1)) < 0.001
 
 
 def test_normals_are_blenders() -> None:

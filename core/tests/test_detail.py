@@ -176,7 +176,7 @@ def test_only_the_cracks_of_lava_glow_and_take_the_stated_colour():
     normal = torch.nn.functional.normalize(point - 0.5, dim=1)
     spots = Spots(point, normal, torch.ones_like(point), zero)
     for prompt, channel in (("a lava golem", 0), ("a blue lava golem", 2)):
-        (surface,) = surfaces_of(parse(prompt))
+        surface = next(one for one in surfaces_of(parse(prompt)) if one.kind == "lava")
         coat = Coat(srgb_to_linear(torch.tensor(surface.color)).expand(len(point), 3), one, zero)
         detail = Detail.of(ByColor.of((surface,), coat.kd), NOISE, 1.0, spots, coat)
         made, _ = detail(spots, coat)

@@ -6,7 +6,7 @@ import pytest
 
 from core.errors import UserError
 from core.guidance.builtin.nouns import NOUNS
-from core.guidance.builtin.palette import painted
+from core.guidance.builtin.palette import EYES, painted
 from core.guidance.builtin.surfaces import CARVED_STONE, surfaces_of
 from core.guidance.builtin.variants import VARIANTS, Variant
 from core.guidance.builtin.words.kinds import KINDS, look_of_kind
@@ -246,9 +246,6 @@ def test_a_slip_before_a_thing_is_no_other_thing() -> None:
         ("an ice dragon", "of ice"),
         ("a dragon made of ice", "made of ice"),
         ("a dog made of bone", "made of bone"),
-        ("a cat sculpted from packed snow", "made of snow"),
-        ("a wolf made of molten rock", "made of lava"),
-        ("a lava golem", "made of lava"),  # and no moss on it
         ("a gummy dragon", "made of jelly"),
         ("a gummy bear", "gummy candy"),
         ("an iridescent beetle", "iridescent"),
@@ -260,6 +257,23 @@ def test_a_statue_is_of_one_material_eyes_and_all(prompt: str, material: str) ->
     usual = CARVED_STONE if words.material == "stone" else words.material
     wanted = VARIANTS.get(material, Variant(usual)).kind
     assert {surface.kind for surface in surfaces_of(words)} == {wanted}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("a cat sculpted from packed snow", "snow"),
+        ("a wolf made of molten rock", "lava"),
+        ("a lava golem", "lava"),  # and no moss on it
+    ],
+)
+def test_of_snow_and_lava_all_is_but_for_the_eyes(prompt: str, kind: str) -> None:
+    words = parse(prompt)
+    of = {part.name: part.material for part in painted(words.noun, words)}
+    assert {name for name, material in of.items() if material != "stone"} <= set(EYES)
+    assert of["eyes"] == ""
+    kinds = {surface.kind for surface in surfaces_of(words)}
+    assert kind in kinds and len(kinds) > 1
 
 
 @pytest.mark.parametrize(

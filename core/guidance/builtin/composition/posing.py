@@ -266,6 +266,10 @@ class Posed:
         """As in the rest pose."""
         return self.rest.surfaces()
 
+    def style(self) -> str:
+        """As in the rest pose."""
+        return self.rest.style()
+
     def left_out(self) -> tuple[str, ...]:
         """Notes."""
         return self.rest.left_out()
