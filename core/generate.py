@@ -341,8 +341,7 @@ def styled_shape(
     shape, config = learned_shape(run, inputs, progress, early), inputs.config
     if shape is None or config.geometry.style == "none":
         return shape
-    most = config.texture.max_faces
-    shape = styled(shape, config.geometry, most, progress.check_cancelled)
+    shape = styled(shape, config, progress.check_cancelled)
     apart = torch.arange(3 * len(shape.faces)).view(-1, 3)  # so that the pictures are flat
     show_shape(run, shape.verts[shape.faces].flatten(0, 1), apart)
     return shape

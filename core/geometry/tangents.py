@@ -16,6 +16,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
+from core.geometry.faces import areas_and_normals, unit
 from core.geometry.mesh import Mesh
 
 TINY = 1.1754944e-38  # the smallest normal float: MikkTSpace takes what is below it for zero
@@ -60,12 +61,12 @@ def shading_normals(mesh: Mesh) -> Normals:
     """
     if not mesh.flat:
         return Normals(smooth_normals(mesh.verts, mesh.faces), mesh.faces)
-    a, b, c = mesh.verts.detach().double()[mesh.faces].unbind(1)
-    across = torch.linalg.cross(b - a, c - a)
-    lost = across.norm(dim=1, keepdim=True) < 1e-24
-    each = torch.nn.functional.normalize(torch.where(lost, a + b + c, across), dim=-1)
-    index = torch.arange(len(mesh.faces)).to(mesh.faces)[:, None].expand(-1, 3)
-    return Normals(each.to(mesh.verts), index)
+    points, faces = mesh.verts.detach().cpu().double().numpy(), mesh.faces.cpu().numpy()
+    _, each = areas_and_normals(points, faces)
+    lost = ~each.any(1)
+    each[lost] = unit(points[faces[lost]].mean(1))
+    index = torch.arange(len(faces)).to(mesh.faces)[:, None].expand(-1, 3)
+    return Normals(torch.from_numpy(each).to(mesh.verts), index)
 
 
 @torch.no_grad()

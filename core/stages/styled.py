@@ -19,6 +19,7 @@ from core.geometry.voxels import squares_of, voxelised
 from core.guidance.guidance import Areas
 from core.texture.low_poly import low_poly
 
+TEXELS = 4  # along the place of a square in the texture, at least
 SAMPLES = 3  # along a square, to find its area
 DEPTHS = (0.0, 0.4)  # cubes below it
 NO_STYLE = "{style}: left out, as the mesh is yours; a style changes shapes that are made here."
@@ -42,12 +43,14 @@ def plain(config: Config) -> Config:
     return replace(config, appearance=appearance, texture=replace(config.texture, edge_radius=0.0))
 
 
-def styled(shape: Mesh, config: GeometryConfig, most_faces: int, check: Callable[[], None]) -> Mesh:
+def styled(shape: Mesh, config: Config, check: Callable[[], None]) -> Mesh:
     """``shape`` in its style; itself without one. ``check`` as that of :func:`low_poly`."""
-    if config.style == "low_poly":
-        return low_poly(shape, config.facet_error, most_faces, check)
-    if config.style == "voxels":
-        return voxelised(shape, config.voxels, most_faces)
+    wanted, most_faces = config.geometry, config.texture.max_faces
+    if wanted.style == "low_poly":
+        return low_poly(shape, wanted.facet_error, most_faces, check)
+    if wanted.style == "voxels":
+        with_texels = 2 * (config.texture.size // TEXELS) ** 2
+        return voxelised(shape, wanted.voxels, min(most_faces, with_texels))
     return shape
 
 

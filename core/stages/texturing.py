@@ -151,7 +151,7 @@ def _tensors(unwrapped: Unwrapped) -> dict[str, Tensor]:
     tensors = {name: getattr(mesh, name) for name in PARTS}
     if fine is not None:
         tensors |= dict(zip(FINE, (fine.verts, fine.faces), strict=True))
-    return tensors | {FLAT: torch.tensor([mesh.flat])}
+    return tensors | {FLAT: torch.tensor([int(mesh.flat)])}
 
 
 def _of_tensors(tensors: dict[str, Tensor]) -> Unwrapped:

@@ -1,5 +1,7 @@
 """A style's settings, its shape, and the colours of voxels."""
 
+from dataclasses import replace
+
 import pytest
 import torch
 
@@ -67,7 +69,7 @@ def test_a_style_has_plain_colours_and_sharp_edges():
 def test_each_style_has_its_shape():
     shapes = {}
     for style in ("none", "low_poly", "voxels"):
-        shapes[style] = styled(BALL, in_style(DRAFT, style).geometry, 20_000, lambda: None)
+        shapes[style] = styled(BALL, in_style(DRAFT, style), lambda: None)
     assert shapes["none"] is BALL
     assert shapes["low_poly"].flat and shapes["low_poly"].uv is None
     assert shapes["voxels"].flat and shapes["voxels"].uv is not None
@@ -75,8 +77,16 @@ def test_each_style_has_its_shape():
     assert float(sides[0] / squares_of(shapes["voxels"])[1][0].norm()) == pytest.approx(32)
 
 
+def test_each_square_has_texels():
+    config = in_style(DRAFT, "voxels")
+    small = replace(config, texture=replace(config.texture, size=64))
+    assert len(styled(BALL, small, lambda: None).faces) <= 2 * 16**2
+    few = replace(config, texture=replace(config.texture, max_faces=400))
+    assert len(styled(BALL, few, lambda: None).faces) <= 400
+
+
 def test_a_square_is_of_one_area():
-    mesh = styled(BALL, in_style(DRAFT, "voxels").geometry, 20_000, lambda: None)
+    mesh = styled(BALL, in_style(DRAFT, "voxels"), lambda: None)
     areas = styled_areas(Halves(), mesh, in_style(DRAFT, "voxels").geometry)
     assert isinstance(areas, SquareAreas)
     assert areas.own.unique().tolist() == [0, 1]  # no square is mostly belt

@@ -60,6 +60,12 @@ def test_of_two_styles_the_first():
 def test_what_is_quoted_is_written():
     words = parse('a mug that says "low poly"')
     assert words.style == "" and [one.text for one in words.emblems] == ["low poly"]
+    words = parse('a mug that says "made of lego"')
+    assert (words.noun, words.style, words.material) == ("mug", "", "")
+    assert [one.text for one in words.emblems] == ["made of lego"]
+    assert parse('a mug that says "origami"').style == ""
+    words = parse('a castle made of lego with a sign that says "lego"')
+    assert (words.noun, words.style) == ("castle", "voxels")
 
 
 def test_a_style_alone_is_no_thing():

@@ -4,9 +4,6 @@ Standard library only.
 """
 
 import re
-from collections.abc import Callable
-
-from core.guidance.builtin.words.emblems import drawn_in
 
 _DOOR = r"(?:(?:tiny|small|little|round|wooden|red|blue|green) )*(?:doors?|windows?)"
 _IDIOMS = {
@@ -21,23 +18,8 @@ _IDIOMS = {
 _PATTERNS = {re.compile(rf"\b{idiom}\b", re.IGNORECASE): meant for idiom, meant in _IDIOMS.items()}
 
 
-_QUOTED = re.compile('["“][^"“”]*["”]')
-
-
 def in_known_words(prompt: str) -> str:
     """The prompt with what such names mean in their place."""
     for pattern, meant in _PATTERNS.items():
         prompt = pattern.sub(meant, prompt)
     return prompt
-
-
-def apart_from_texts(prompt: str, change: Callable[[str], str]) -> str:
-    """The prompt with ``change``, but for what is to be written on the thing."""
-    written = [(start, end) for _, start, end in drawn_in(prompt)]
-    written += [match.span() for match in _QUOTED.finditer(prompt)]
-    ends, pieces = 0, []
-    for start, end in sorted(written):
-        if start >= ends:  # of two that overlap the first
-            pieces += [change(prompt[ends:start]), prompt[start:end]]
-            ends = end
-    return "".join([*pieces, change(prompt[ends:])])

@@ -6,7 +6,7 @@ Standard library only.
 import re
 from typing import Literal
 
-from core.guidance.builtin.words.emblems import drawn_in
+from core.guidance.builtin.words.written import without_texts
 
 Style = Literal["", "low_poly", "voxels"]
 OFFERED = "low poly", "voxel"  # in a menu
@@ -44,17 +44,17 @@ def style_of(prompt: str) -> tuple[str, Style]:
 
     What is between quotes is written on the thing, and no style.
     """
-    written = [(start, end) for _, start, end in drawn_in(prompt)]
+    bare = without_texts(prompt)
     found: list[tuple[int, int, Style]] = []
     for style, phrase in _PHRASES.items():
-        for match in phrase.finditer(prompt):
-            if not any(start <= match.start() < end for start, end in written):
-                found.append((*match.span(), style))
+        for match in phrase.finditer(bare):
+            found.append((*match.span(), style))
     if not found:
-        if _OF_BRICKS.search(prompt):  # "a castle made of lego": a lego castle
-            prompt = _ARTICLE.sub(r"\1lego ", _OF_BRICKS.sub("", prompt), count=1)
-        of_material = (style for style, word in _OF_MATERIALS.items() if word.search(prompt))
-        return prompt, next(of_material, "")
+        of_material = (style for style, word in _OF_MATERIALS.items() if word.search(bare))
+        if bricks := _OF_BRICKS.search(bare):  # "a castle made of lego": a lego castle
+            prompt = prompt[: bricks.start()] + prompt[bricks.end() :]
+            prompt = _ARTICLE.sub(r"\1lego ", prompt, count=1)
+        return prompt, "voxels" if bricks else next(of_material, "")
     rest = prompt
     for start, end, _ in sorted(found, reverse=True):
         rest = f"{rest[:start]} {rest[end:]}"

@@ -26,7 +26,7 @@ from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
-from core.guidance.builtin.words.idioms import apart_from_texts, in_known_words
+from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.part_names import own_name
@@ -48,6 +48,7 @@ from core.guidance.builtin.words.sorts import sort_of
 from core.guidance.builtin.words.styles import style_of
 from core.guidance.builtin.words.with_companions import with_companions, without_look
 from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
+from core.guidance.builtin.words.written import apart_from_texts
 
 W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"
