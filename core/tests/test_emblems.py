@@ -25,6 +25,7 @@ from core.guidance.builtin.words.emblems import (
     FLAT,
     emblems_in,
 )
+from core.guidance.builtin.words.moods import MOODS
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.io.job import Job, read_events
@@ -45,7 +46,8 @@ def test_a_shape_fills_its_square_and_no_more(name):
 
 
 def test_every_shape_that_may_be_named_can_be_drawn():
-    assert set(FLAT) | set(ALSO_THINGS) == set(SHAPES)
+    faces = {f"{mood} face" for mood in MOODS}
+    assert set(FLAT) | set(ALSO_THINGS) | faces == set(SHAPES)
     assert set(COLORS) <= set(SHAPES)
 
 

@@ -24,7 +24,7 @@ class FANTASIA3D_OT_add_word(bpy.types.Operator):
     word: StringProperty(name="Word", description="The word to add")
     kind: StringProperty(
         name="Kind",
-        description="thing, shape, color, material, pattern, style or part",
+        description="thing, shape, color, material, pattern, mood, style or part",
         default="thing",
     )
 

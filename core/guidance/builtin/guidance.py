@@ -64,8 +64,8 @@ from core.guidance.sds import eps_from_v
 
 SIZE = 64
 NOT_DRAWN_ON = (
-    "left out, as text and emblems are drawn only on what the built-in prior draws itself, not on "
-    "your mesh or a distilled shape."
+    "left out, as text, emblems and moods are drawn only on what the built-in prior draws itself, "
+    "not on your mesh or a distilled shape."
 )
 # In the order of the networks' embeddings.
 GEOMETRY_SLOTS = ("noun", "shape", "part")
@@ -214,11 +214,12 @@ class PromptedBuiltin(PromptedGuidance):
         return self.words.style
 
     def left_out(self) -> tuple[str, ...]:
-        """A note on each emblem that is left out (on the user's mesh, on a distilled shape, or
-        without room on the thing), on each part that stays, and on each that keeps its size."""
+        """A note on each emblem and each mood that is left out (on the user's mesh, on a distilled
+        shape, or without room on the thing), on each part that stays, and on each that keeps its
+        size."""
         if self.painted is None:
-            notes = (f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
-            return (*notes, *unsized(self.words))
+            drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
+            return (*(f"{one}: {NOT_DRAWN_ON}" for one in drawn), *unsized(self.words))
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

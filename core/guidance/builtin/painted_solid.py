@@ -15,6 +15,7 @@ from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
+from core.guidance.builtin.markings.expressions import MOUTH, Expressed, expression
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     NUMBER,
@@ -33,6 +34,7 @@ from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
 from core.guidance.builtin.words.emblems import Emblem
+from core.guidance.builtin.words.moods import has_face
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
 from core.guidance.guidance import Area
@@ -106,6 +108,21 @@ class PaintedSolid:
         return drawn_on(self.words.noun, others, self.parts, self.paints)
 
     @cached_property
+    def expression(self) -> list[Expressed]:
+        """The lids, the brows and the mouth of its mood."""
+        if self.asleep or not has_face(self.words.noun) or not self.words.mood:
+            return []
+        marked, count = self._marked_without(set()), len(self.paints)
+        return expression(
+            self.words.mood,
+            list(looks(self.words.noun)),
+            self.parts.boxes(),
+            marked.bearers,
+            lambda points: marked(self.solid.distances(points), points)[:, :count],
+            self.paints,
+        )
+
+    @cached_property
     def number(self) -> str:
         """The stated text of the number that the thing has by nature."""
         return next((one.text for one in self.words.emblems if self._is_number(one)), "")
@@ -118,8 +135,13 @@ class PaintedSolid:
     @cached_property
     def marked(self) -> Marked:
         """The markings among its parts."""
+        redrawn = {one.paint.name for one in self.expression}
+        return self._marked_without(redrawn & {MOUTH})
+
+    def _marked_without(self, redrawn: set[str]) -> Marked:
+        """``redrawn``: those that an expression replaces."""
         noun = self.words.noun
-        gone = {name for name in self.words.absent if not bears(self.words, name)}
+        gone = redrawn | {name for name in self.words.absent if not bears(self.words, name)}
         gone |= unfit_markings(noun, {part.name: part.material for part in self.paints})
         gone |= {part.name for part in self.paints if part.look.asked and not part.apart}
         gone |= set(IN_EYES) if self.asleep else set()
@@ -166,14 +188,14 @@ class PaintedSolid:
             shown_on += [index] * len(colors)
         margins = [pattern.margins() for pattern in laid]
         fields = [self.shown, lambda points: self.marked(self.parts.near(points), points)]
-        for emblem in self.emblems:
-            fields = [partial(_with, emblem, field) for field in fields]
-            paint = emblem.paint
+        for drawn in (*self.emblems, *self.expression):
+            fields = [partial(_with, drawn, len(margins), field) for field in fields]
+            paint = drawn.paint
             surface = surface_of(self.words, paint)
-            level = emblem.on not in self.marked.uneven
+            level = drawn.on not in self.marked.uneven
             each.append(Area(True, ranges_of(paint.finish, paint.color), surface, level))
             margins.append(None)
-            shown_on.append(emblem.on)
+            shown_on.append(drawn.on)
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         parts = torch.tensor(shown_on)
         return AreaFields(drawn, near, tuple(each), lambda at, of: self._height(at, parts[of]))
@@ -224,6 +246,10 @@ def bears(words: Words, part: str) -> bool:
 
 
 def _with(
-    emblem: Drawn, field: Callable[[Tensor], Tensor], points: Float[Tensor, "n 3"]
+    drawn: Drawn | Expressed,
+    count: int,
+    field: Callable[[Tensor], Tensor],
+    points: Float[Tensor, "n 3"],
 ) -> Float[Tensor, "n p"]:
-    return emblem(field(points), points)
+    """The distances of the first ``count`` areas, and that of what is drawn on them."""
+    return drawn(field(points)[:, :count], points)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import torch
@@ -11,6 +11,7 @@ from PIL import Image, ImageDraw
 from torch import Tensor
 
 from core.guidance.builtin.markings.stencils import margins_of, read
+from core.guidance.builtin.words.moods import MOODS, Mood
 
 SIDE = 384  # pixels
 ROOM = 1.15  # from the middle to the picture's border
@@ -250,6 +251,37 @@ def _ring(pen: Pen) -> None:
     _disc(pen, (0, 0), 0.68, 0)
 
 
+def _face(pen: Pen, mood: Mood) -> None:
+    """Two eyes, brows and a mouth."""
+    for side in (-1, 1):
+        x = 0.66 * side
+        if mood == "sleepy":
+            arc = [math.radians(200 + 140 * k / 12) for k in range(13)]
+            _stroke(pen, [(x + 0.28 * math.cos(a), 0.4 + 0.28 * math.sin(a)) for a in arc], 0.085)
+            continue
+        _disc(pen, (x, 0.25), 0.24, flat=1.3)
+        _disc(pen, (x - 0.06, 0.37), 0.085, 0)
+        if curve := FACE_BROWS.get(mood):
+            _stroke(pen, [(side * u, v) for u, v in curve], 0.075)
+    if mood == "surprised":
+        _disc(pen, (0, -0.5), 0.24, flat=1.25)
+        return
+    up, wide = FACE_MOUTHS[mood]
+    arc = [k / 6 for k in range(-6, 7)]
+    _stroke(pen, [(wide * t, -0.5 + up * (t * t - 0.5)) for t in arc], 0.075)
+
+
+FACE_BROWS: dict[Mood, tuple[At, At]] = {
+    "angry": ((0.34, 0.6), (0.95, 0.88)),
+    "sad": ((0.36, 0.92), (0.95, 0.68)),
+}
+# How much higher the ends are than the middle, and half the width.
+FACE_MOUTHS: dict[Mood, tuple[float, float]] = {
+    "happy": (0.26, 0.52),
+    "sad": (-0.25, 0.38),
+    "angry": (-0.25, 0.38),
+    "sleepy": (0.1, 0.36),
+}
 SHAPES: dict[str, Callable[[Pen], None]] = {
     "heart": _heart,
     "star": _star,
@@ -274,6 +306,7 @@ SHAPES: dict[str, Callable[[Pen], None]] = {
     "leaf": _leaf,
     "maple leaf": _maple,
     "ring": _ring,
+    **{f"{mood} face": partial(_face, mood=mood) for mood in MOODS},
     "diamond": lambda pen: _polygon(pen, [(0, 1), (0.7, 0), (0, -1), (-0.7, 0)]),
     "circle": lambda pen: _disc(pen, (0, 0), 0.9),
     "square": lambda pen: _polygon(pen, [(-0.8, -0.8), (0.8, -0.8), (0.8, 0.8), (-0.8, 0.8)]),

@@ -2,6 +2,7 @@
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
+from core.guidance.builtin.words.moods import MOODS
 from core.guidance.builtin.words.part_tables import OPTIONS
 from core.guidance.builtin.words.styles import OFFERED
 
@@ -9,8 +10,8 @@ ADJECTIVES = {"Shapes": "shape", "Colors": "color", "Materials": "material", "Pa
 
 
 def word_groups() -> list[dict[str, object]]:
-    """Groups in a menu's order: ``name``, ``kind`` ("thing", a slot's name, "style" or "part"),
-    ``words``.
+    """Groups in a menu's order: ``name``, ``kind`` ("thing", a slot's name, "mood", "style" or
+    "part"), ``words``.
 
     A part names the things that may have it in ``of``.
     """
@@ -21,6 +22,7 @@ def word_groups() -> list[dict[str, object]]:
     ]
     for name, slot in ADJECTIVES.items():
         groups.append({"name": name, "kind": slot, "words": list(known[slot])})
+    groups.append({"name": "Moods", "kind": "mood", "words": list(MOODS)})
     groups.append({"name": "Styles", "kind": "style", "words": list(OFFERED)})
     of = {
         part: [noun for noun, parts in OPTIONS.items() if part in parts] for part in known["part"]

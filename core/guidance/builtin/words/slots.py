@@ -13,6 +13,7 @@ from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.measures import Size
+from core.guidance.builtin.words.moods import Mood
 from core.guidance.builtin.words.poses import PoseWord
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.styles import Style
@@ -47,6 +48,7 @@ class Words:
     material_form: str = field(default="", compare=False)  # the material as written
     size: Size | None = field(default=None, compare=False)
     pose: PoseWord = ""
+    mood: Mood = ""  # of a thing with eyes
     style: Style = ""  # of the shape
     absent: tuple[str, ...] = ()  # parts that are left out on request
     part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words

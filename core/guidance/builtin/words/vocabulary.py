@@ -29,6 +29,7 @@ from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
+from core.guidance.builtin.words.moods import mood_in
 from core.guidance.builtin.words.part_names import own_name
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
@@ -114,6 +115,7 @@ def _looks(words: Words) -> dict[str, Any]:
     return {
         "thing": words.noun,
         "pose": words.pose or None,
+        "mood": words.mood or None,
         "count": words.count,
         "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
@@ -303,7 +305,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     if own:  # a medal's star is a part of it
         emblems, rest = emblems_in(prompt, own)
         got = _read(rest, known, noun_needed)
-    if (shorter := in_a_word(got.thing, rest)) != rest:
+    mooded, shorter = mood_in(got.thing, in_a_word(got.thing, rest))
+    if shorter != rest:
         rest, got = shorter, _read(shorter, known, noun_needed)
     if emblems and noun_needed and not got.found["noun"]:  # the quoted words may be the thing
         emblems, got = (), _read(prompt, known, noun_needed)
@@ -327,7 +330,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
-    words["pose"] = pose
+    words["pose"], words["mood"] = pose, "" if mooded.is_drawn else mooded.mood
     words["part_sizes"] = got.part_sizes(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
@@ -341,10 +344,10 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     )
     if not words["material"] and {entry.form for entry in got.found["noun"]} & GLASSWARE:
         words["material"] = words["material_form"] = "glass"
-    words["emblems"] = emblems
+    words["emblems"] = (*emblems, *mooded.face())
     words["count"], words["order"], _ = got.counted
     words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
-    notes = dict.fromkeys([*got.notes, *got.narrower(), *got.omissions()])
+    notes = dict.fromkeys([*got.notes, *mooded.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
     return Words(**words, notes=tuple(notes), left_out=left_out)
 

@@ -11,7 +11,7 @@ from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.markings.emblems.scattered import Scattered, scattered_on
-from core.guidance.builtin.markings.emblems.windows import Window, window_on
+from core.guidance.builtin.markings.emblems.windows import HOLES, Window, window_on
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.markings import bearer_of
 from core.guidance.builtin.markings.shapes import shape_margin
@@ -21,6 +21,7 @@ from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL
 from core.guidance.builtin.words.colors import Color, color_value
 from core.guidance.builtin.words.emblems import METALS, STRIPES, Emblem
 from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.moods import MOODS
 from core.guidance.builtin.words.part_names import own_names
 
 FULL = 0.8  # fraction of its place that a text or a shape fills
@@ -48,7 +49,9 @@ COLORS: dict[str, Color] = {  # where the prompt names no colour
     "crown": (0.93, 0.73, 0.20),
     "anchor": (0.10, 0.17, 0.36),
     "leaf": (0.25, 0.55, 0.22),
+    **{f"{mood} face": (0.09, 0.07, 0.07) for mood in MOODS},
 }
+UNEVEN = 0.1  # fraction of a face's rectangle that may be uneven
 MAIN = 0.6  # fraction of the most worth: nothing is scattered on parts of less
 CLEAR = 0.3  # least difference of one channel from the colour below
 VIVID, SAME_HUE = 0.3, 0.08  # saturation; of the circle
@@ -103,10 +106,11 @@ class Drawn:
             self.scattered = scattered_on(parts, self.over)
         else:
             taken = [one.window for one in before if one.window]
-            self.window = window_on(parts, worth, wide / high, side, taken)
+            holes = UNEVEN if emblem.shape.endswith("face") else HOLES  # a pumpkin's ribs
+            self.window = window_on(parts, worth, wide / high, side, taken, holes)
             if self.window is None and asked:  # without room there, anywhere
                 worth = [_worth(paint, [], emblem) for paint in paints]
-                self.window = window_on(parts, worth, wide / high, side, taken)
+                self.window = window_on(parts, worth, wide / high, side, taken, holes)
             self.on = self.window.part if self.window else 0
         if self.scattered is None:
             self.over = [self.on]

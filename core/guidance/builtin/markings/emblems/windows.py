@@ -17,7 +17,7 @@ from core.geometry.tet_grid import EXTENT
 CELLS = 72  # of the picture of a thing, along an edge
 SAMPLES = 240_000  # places of its surface
 ABOUT = 0.9  # of the largest side: a rectangle as large and nearer to the middle replaces it
-HOLES = 0.05  # fraction of a rectangle that may be uneven
+HOLES = 0.05  # usual fraction of a rectangle that may be uneven
 FACING = 0.55  # least cosine between the direction and a place's normal
 ASIDE = 0.9  # loss of a rectangle's worth at a thing's edge
 SMALL = 0.06  # fraction of the seen area: nothing is written on a smaller part
@@ -89,6 +89,7 @@ def window_on(
     wide: float,
     asked: str = "",
     taken: Sequence[Window] = (),
+    holes: float = HOLES,
 ) -> Window | None:
     """The best window for content ``wide`` times as wide as high; None without one.
 
@@ -96,6 +97,7 @@ def window_on(
         worth: by part, the worth of a place on it; 0: never there.
         asked: one of ``WAYS``; "": any but the back.
         taken: windows in use.
+        holes: the fraction of it that may be uneven.
     """
     surface = surface_places(parts)
     found = []
@@ -105,7 +107,7 @@ def window_on(
             for other in taken:
                 if other.way == way:
                     seen.part[seen.covered(other)] = -1
-            found += _windows(seen, way, np.array(worth))
+            found += _windows(seen, way, np.array(worth), holes)
     return max(found, key=lambda one: one[0])[1] if found else None
 
 
@@ -149,7 +151,9 @@ def _seen(places: np.ndarray, normals: np.ndarray, of: np.ndarray, way: Way, wid
     return Seen(part.reshape(-1, columns), near.reshape(-1, columns), cell * wide)
 
 
-def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tuple[float, Window]]":
+def _windows(
+    seen: Seen, way: Way, worth: Float[np.ndarray, " k"], holes: float
+) -> "list[tuple[float, Window]]":
     """The largest windows on all parts and on those of the most worth, each with its worth."""
     cell, found = 2 * EXTENT / CELLS, []
     fraction = np.bincount(seen.part[seen.part >= 0], minlength=len(worth)) / max(
@@ -162,7 +166,7 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
         mask = of_cell >= least
         near, far = np.where(mask, seen.near, -np.inf), np.where(mask, seen.near, np.inf)
         step = ndimage.maximum_filter(near, 3) - ndimage.minimum_filter(far, 3)
-        size, (top, left) = largest_square(mask & (step < STEP))
+        size, (top, left) = largest_square(mask & (step < STEP), holes)
         if not size:
             continue
         here = np.s_[top : top + size, left : left + size]
@@ -179,7 +183,9 @@ def _windows(seen: Seen, way: Way, worth: Float[np.ndarray, " k"]) -> "list[tupl
     return found
 
 
-def largest_square(mask: Bool[np.ndarray, "r c"]) -> tuple[int, tuple[int, int]]:
+def largest_square(
+    mask: Bool[np.ndarray, "r c"], holes: float = HOLES
+) -> tuple[int, tuple[int, int]]:
     """The side of about the largest square that is nearly all True, and its first row and column;
     of squares ``ABOUT`` as large, the one nearest to the middle."""
     before = np.pad(mask.astype(int).cumsum(0).cumsum(1), ((1, 0), (1, 0)))
@@ -187,7 +193,7 @@ def largest_square(mask: Bool[np.ndarray, "r c"]) -> tuple[int, tuple[int, int]]
     def squares(side: int) -> Bool[np.ndarray, "n m"]:
         a, b = before[:-side, :-side], before[:-side, side:]
         c, d = before[side:, :-side], before[side:, side:]
-        return d - b - c + a >= (1 - HOLES) * side * side
+        return d - b - c + a >= (1 - holes) * side * side
 
     sides = [side for side in range(1, min(mask.shape) + 1) if squares(side).any()]
     if not sides:
