@@ -9,7 +9,7 @@ FIGURES = {
         "detective, worker, construction worker, basketball player, soccer player, football "
         "player, sailor, student, mannequin, mannikin, villager, peasant, archer, bard, cleric, "
         "priest, nun, geisha, grandma, grandpa, npc, character model, waiter, scientist, diver, "
-        "scuba diver, merchant, ranger, blacksmith, butler, healer, mechanic, pilot, librarian, "
+        "scuba diver, merchant, ranger, blacksmith, shepherd, shepherdess, butler, healer, mechanic, pilot, librarian, "
         "engineer, painter, artist, photographer, rockstar, rock star, gamer, explorer, "
         "adventurer, builder, baseball player, racing driver, plague doctor, dentist, surgeon, "
         "cheerleader, mom, dad, bartender, butcher, musician, dj, miner, wrestler, boxer, surfer, "

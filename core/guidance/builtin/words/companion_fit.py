@@ -15,6 +15,9 @@ from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, i
 from core.guidance.builtin.words.slots import Words
 
 _PLACING = ("on", "in")  # a thing has one of these
+# Done with a thing in one's hands or under one's feet, or next to it: "playing" a flute or a piano.
+BY_IT_TOO = ("playing", "plays", "play", "using", "uses", "eating", "eats", "reading", "reads")
+BY_IT_TOO += ("jumping", "jumps", "leaping", "leaps", "bounding", "vaulting", "hopping")
 _DRIVING = ("driving", "drives", "drive")
 
 
@@ -97,9 +100,14 @@ def fitting(
         "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
         "beside": lambda: other != first,
     }
+    fits = is_so[relation]()
+    if relation in ("holds", "on") and verb in BY_IT_TOO and not fits and is_dressed(first):
+        relation, fits = "beside", other != first
+    elif verb and relation == "beside":
+        fits &= is_dressed(first)
     if relation in ("wears", "holds"):
         words = _only_one(words, got.stated)
-    return Found(relation, phrase, words, verb) if is_so[relation]() else None
+    return Found(relation, phrase, words, verb) if fits else None
 
 
 def _only_one(words: Words, stated: str) -> Words:

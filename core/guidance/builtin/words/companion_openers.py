@@ -57,6 +57,17 @@ _GARMENT = (
     r"dress|cape|cloak|scarf|armou?r|boots|shoes|sneakers|backpack|glasses|sunglasses|goggles|mask)"
     r"(?![\w-]))"
 )
+# What somebody does to another thing, which is then next to it.
+_TOWARDS = (
+    "(?:looking|staring|barking|smiling|pointing|roaring|laughing|shouting) at|"
+    "(?:talking|speaking|singing|bowing|waving) to|dancing with|fighting (?:with|against)|"
+    "playing (?:with|against)|working (?:at|on)|leaning (?:on|against)"
+)
+_TO_ANOTHER = (
+    r"(?!(?:being|resembling|becoming|including|featuring|depicting|missing|lacking|having|showing|"
+    r"representing|looking|using|wearing|following)\b)[a-z]{3,}ing "
+    r"(?=(?:an?|the|his|her|their|another|two|three|some) )"
+)
 _DRIVING = ("rowing", "paddling", "piloting", "steering")
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
@@ -67,16 +78,23 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     ),
     (
         "on",
+        rf"{_BEING}(?P<verb>jumping|jumps|leaping|leaps|bounding|vaulting|hopping) over ",
+        False,
+    ),
+    (
+        "on",
         rf"{_BEING}{_DOING}(?:right )?(?:on top of|ontop of|on|upon|atop of|atop|onto) {_NOT_IT}",
         False,
     ),
     ("wears", rf"{_BEING}(?:wearing|wears|donning|sporting|dressed in|wear) ", False),
     (
         "holds",
-        rf"{_BEING}(?P<verb>{_HOLDING}|playing(?: on| with)?|plays?|eating|eats?|biting|licking|"
+        rf"{_BEING}(?P<verb>{_HOLDING}|using|uses|playing(?: on| with)?|plays?|eating|eats?|biting|licking|"
         r"munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|sipping(?: from)?|reading|reads) ",
         False,
     ),
+    ("beside", rf"{_BEING}(?P<verb>{_TOWARDS}) ", False),
+    ("beside", rf"{_BEING}(?P<verb>{_TO_ANOTHER})", False),
     ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),
     ("wears", r"with ", True),
     ("wears", rf"(?<=,) (?:and )?{_GARMENT}", True),

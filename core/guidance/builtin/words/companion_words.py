@@ -140,7 +140,9 @@ EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
 DRINKS = frozenset(
     "mug teacup goblet bottle can jar milk-carton potion flask".replace("-", " ").split()
 ) | {"paper cup", "bubble tea", "milk carton", "drinking horn", "jug", "wine glass"}
-READ = frozenset(("book", "scroll", "envelope", "clipboard"))
+READ = frozenset("book scroll envelope clipboard newspaper letter map tablet phone".split()) | {
+    "treasure map",
+}
 USED = (
     dict.fromkeys(("playing", "plays", "play"), INSTRUMENTS)
     | dict.fromkeys(("eating", "eats", "eat", "biting", "licking", "munching", "nibbling"), EDIBLE)

@@ -265,7 +265,7 @@ class _Search:
                 )
                 away = one and opener.weak and one.relation in _HAVING
                 if one and len(both) < MOST and not (away and _ELSEWHERE.match(prompt, end)):
-                    taken.append(one)
+                    taken += _on_both_sides(one, "") if one.relation == "beside" else [one]
                 else:
                     kept.append(phrase)
             if taken:

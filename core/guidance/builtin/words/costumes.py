@@ -46,6 +46,7 @@ _COSTUMES = {
     "hiker, tourist, student": "wearing a backpack",
     "merchant, trader": "wearing a backpack and holding a lantern",
     "farmer, peasant, villager": "wearing a cowboy hat and holding a rake",
+    "shepherd": "wearing a brown cape and holding a staff",
     "gardener": "wearing a cowboy hat and holding a shovel",
     "fisherman": "wearing a yellow coat and holding a fishing rod",
     "lumberjack": "wearing a red beanie and holding an axe",

@@ -290,7 +290,7 @@ OF_PICTURES = frozenset(
 )
 # Adjectives of age, finish or mood. They name no thing, so a prompt is accepted without them.
 IGNORED_ADJECTIVES = frozenset(
-    """vintage retro medieval victorian baroque ornate
+    """vintage retro organic medieval victorian baroque ornate
     cozy cosy comfy comfortable soft sturdy heavy clean
     fresh ripe juicy funny happy jolly friendly sweet scary magic magical
     fantasy fancy luxury luxurious royal lowpoly minimalist
