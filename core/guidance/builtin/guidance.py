@@ -48,7 +48,7 @@ from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import (
     Guidance,
@@ -67,8 +67,6 @@ NOT_DRAWN_ON = (
     "left out, as text, emblems and moods are drawn only on what the built-in prior draws itself, "
     "not on your mesh or a distilled shape."
 )
-# In the order of the networks' embeddings.
-GEOMETRY_SLOTS = ("noun", "shape", "part")
 
 
 class BuiltinGuidance(Guidance):

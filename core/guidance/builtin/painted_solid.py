@@ -15,7 +15,8 @@ from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
-from core.guidance.builtin.markings.expressions import MOUTH, Expressed, expression
+from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
+from core.guidance.builtin.markings.expressions import MOUTH, expression
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     NUMBER,
@@ -25,6 +26,7 @@ from core.guidance.builtin.markings.markings import (
     is_marking,
     unfit_markings,
 )
+from core.guidance.builtin.markings.overlay import Overlay
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.palette import Painted, looks, painted
 from core.guidance.builtin.part_forms import CORNERED, part_forms_table
@@ -33,9 +35,9 @@ from core.guidance.builtin.slender import slender_parts
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
-from core.guidance.builtin.words.emblems import Emblem
+from core.guidance.builtin.words.emblems import METALS, Emblem
 from core.guidance.builtin.words.moods import has_face
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
 from core.guidance.guidance import Area
 
@@ -105,10 +107,28 @@ class PaintedSolid:
     def emblems(self) -> list[Drawn]:
         """The prompt's emblems on it."""
         others = [one for one in self.words.emblems if not self._is_number(one)]
-        return drawn_on(self.words.noun, others, self.parts, self.paints)
+        return drawn_on(self.words.noun, others, self.parts, self.paints, self._portrait)
+
+    def _portrait(self, emblem: Emblem) -> Portrait:
+        """The picture of another thing."""
+        color = ("", "") if emblem.color in METALS else (emblem.color, emblem.color_form)
+        words = Words(emblem.shape, color=color[0], color_form=color[1])
+        row = torch.tensor([words.indices(GEOMETRY_SLOTS)])
+        drawn = Solid.drawn(self.solid.net, row, torch.Generator().manual_seed(0)).placed()
+        other = PaintedSolid(words, drawn)
+        colors = [paint.color for paint in other.paints]
+        count = len(colors)
+        area = lambda points: other.shown(points)[:, :count].argmin(1)  # noqa: E731
+        return portrait_of(*drawn.mesh, area, colors)
 
     @cached_property
-    def expression(self) -> list[Expressed]:
+    def drawn(self) -> list[Drawn | Overlay]:
+        """All that is drawn on it, each over those before."""
+        layers = (layer for emblem in self.emblems for layer in emblem.layers())
+        return [*self.emblems, *layers, *self.expression]
+
+    @cached_property
+    def expression(self) -> list[Overlay]:
         """The lids, the brows and the mouth of its mood."""
         if self.asleep or not has_face(self.words.noun) or not self.words.mood:
             return []
@@ -188,7 +208,7 @@ class PaintedSolid:
             shown_on += [index] * len(colors)
         margins = [pattern.margins() for pattern in laid]
         fields = [self.shown, lambda points: self.marked(self.parts.near(points), points)]
-        for drawn in (*self.emblems, *self.expression):
+        for drawn in self.drawn:
             fields = [partial(_with, drawn, len(margins), field) for field in fields]
             paint = drawn.paint
             surface = surface_of(self.words, paint)
@@ -246,7 +266,7 @@ def bears(words: Words, part: str) -> bool:
 
 
 def _with(
-    drawn: Drawn | Expressed,
+    drawn: Drawn | Overlay,
     count: int,
     field: Callable[[Tensor], Tensor],
     points: Float[Tensor, "n 3"],

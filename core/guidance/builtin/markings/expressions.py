@@ -9,6 +9,7 @@ from jaxtyping import Bool, Float
 from torch import Tensor
 
 from core.guidance.builtin.markings.margins import Margin, Pair, all_of, strokes
+from core.guidance.builtin.markings.overlay import Overlay
 from core.guidance.builtin.palette import EYES, Painted
 from core.guidance.builtin.words.colors import luma
 from core.guidance.builtin.words.moods import Mood
@@ -79,28 +80,6 @@ class Feature(NamedTuple):
         return at, front
 
 
-class Expressed(NamedTuple):
-    """A painted area of an expression, over some of the parts."""
-
-    margin: Callable[[Float[Tensor, "n 3"]], Margin]
-    over: tuple[int, ...]  # the parts below, the first one before the others
-    paint: Painted
-
-    @property
-    def on(self) -> int:
-        """The part below."""
-        return self.over[0]
-
-    def __call__(
-        self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
-    ) -> Float[Tensor, "n q"]:
-        """The parts' distances, and the area's as the last."""
-        margin, found = self.margin(points), distances.clone()
-        below = found[:, self.over]
-        found[:, self.over] = torch.maximum(below, margin[:, None])
-        return torch.cat([found, torch.maximum(below.amin(1), -margin)[:, None]], 1)
-
-
 def expression(
     mood: Mood,
     names: Sequence[str],
@@ -108,7 +87,7 @@ def expression(
     bearers: Sequence[int],
     distances: Distances,
     paints: Sequence[Painted],
-) -> list[Expressed]:
+) -> list[Overlay]:
     """The areas of a mood on one object.
 
     Args:
@@ -118,25 +97,25 @@ def expression(
         distances: of the parts with their markings.
     """
     search = _Search(boxes, bearers, distances)
-    found: list[Expressed] = []
+    found: list[Overlay] = []
     own = tuple(part for part, name in enumerate(names) if name in EYES)
     if eye := search.feature(own, True):
         found += _by_eye(mood, eye, own, search.around(eye, own), paints)
     if MOUTH in names:
         mouth = names.index(MOUTH)
         below = bearers[mouth]
-        box, feature = boxes[below], None
-        if below != mouth and box is not None and mood in (*LINES, *OPEN):
-            feature = search.feature((mouth,), False)
+        box = boxes[below]
+        painted = below != mouth and mood in (*LINES, *OPEN)
+        feature = search.feature((mouth,), False) if painted else None
         # A robot's comes with the rings at its ears.
-        if feature and feature.half[0] < WIDEST * (box[1, 0] - box[0, 0]) / 2:
-            found.append(Expressed(_mouth(mood, feature), (below, mouth), paints[mouth]))
+        if feature and box is not None and feature.half[0] < WIDEST * (box[1] - box[0])[0] / 2:
+            found.append(Overlay(_mouth(mood, feature), (below, mouth), below, paints[mouth]))
     return found
 
 
 def _by_eye(
     mood: Mood, eye: Feature, own: tuple[int, ...], face: list[int], paints: Sequence[Painted]
-) -> list[Expressed]:
+) -> list[Overlay]:
     """The lids and the brow of one eye, on ``own`` parts of it and on those of the ``face``."""
     if not face:
         return []
@@ -144,17 +123,17 @@ def _by_eye(
     plain = skin._replace(second=skin.color, pattern="")
     if mood in LIDS or mood in CHEEK:
         lid = plain._replace(color=tuple(LID * x for x in skin.color), name="lids")
-        found.append(Expressed(_lid(mood, eye), own, lid))
+        found.append(Overlay(_lid(mood, eye), own, own[0], lid))
     if mood in CHEEKS and eye.half.max() < LARGE:
         pairs = zip(skin.color, BLUSH, strict=True)
         color = tuple(x + BLUSHED * (red - x) for x, red in pairs)
         blush = plain._replace(color=color, name="cheeks")
-        found.append(Expressed(_cheek(*CHEEKS[mood], eye), tuple(face), blush))
+        found.append(Overlay(_cheek(*CHEEKS[mood], eye), tuple(face), face[0], blush))
     if mood in BROWS:
         dark = luma(skin.color) > DIM
         color = tuple(BROW * x if dark else x + LIGHT_BROW * (1 - x) for x in skin.color)
         brow = plain._replace(color=color, name="brows")
-        found.append(Expressed(_brow(BROWS[mood], eye), tuple(face), brow))
+        found.append(Overlay(_brow(BROWS[mood], eye), tuple(face), face[0], brow))
     return found
 
 
@@ -223,7 +202,8 @@ class _Search:
         boxes = [box for part in own if (box := self._boxes[self._bearers[part]]) is not None]
         if not boxes:
             return None
-        places, owner = self._surface(_joined(boxes))
+        box = _joined(boxes)
+        places, owner = self._surface(box)
         mine = _is_one_of(owner, own)
         right = places[mine & (places[:, 0] > 0)]
         left = places[mine & (places[:, 0] < 0)]

@@ -89,8 +89,9 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     ("wears", rf"{_BEING}(?:wearing|wears|donning|sporting|dressed in|wear) ", False),
     (
         "holds",
-        rf"{_BEING}(?P<verb>{_HOLDING}|using|uses|playing(?: on| with)?|plays?|eating|eats?|biting|licking|"
-        r"munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|sipping(?: from)?|reading|reads) ",
+        rf"{_BEING}(?P<verb>{_HOLDING}|using|uses|playing(?: on| with)?|plays?|eating|eats?|"
+        r"biting|licking|munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|"
+        r"sipping(?: from)?|reading|reads) ",
         False,
     ),
     ("beside", rf"{_BEING}(?P<verb>{_TOWARDS}) ", False),

@@ -9,6 +9,8 @@ import unicodedata
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
+from core.guidance.builtin.words.companion_openers import named_in
+from core.guidance.builtin.words.companion_words import is_pictured
 from core.guidance.builtin.words.lexicon import LEXICON
 
 MOST = 3  # on one thing
@@ -26,6 +28,7 @@ class Emblem(NamedTuple):
     on: str = ""  # a part by its word, where stated
     side: str = ""  # front, side, top or back, where stated
     is_scattered: bool = False  # many of the shape, all over
+    is_portrait: bool = False  # a picture of the thing that ``shape`` names, in its colour
 
     def __str__(self) -> str:
         shape = plural(self.shape) if self.is_scattered else self.shape
@@ -198,6 +201,22 @@ _SCATTERED = _rule(
     rf"(?:(?<=floral)|(?<=patterned)|(?<=printed)|(?=$|[,.;!]| (?!on top(?! of)\b)"
     rf"(?:{_AFTER}|please|all|{_MADE})\b)(?! in(?:side)? (?:it|them)\b))(?![\w-])"
 )
+# A picture of a thing: "with a wolf on it", "with a dinosaur print".
+_PORTRAIT = _rule(
+    rf"(?:(?:{_MADE} |marked |decorated )?{_WITH}{_A})"
+    rf"(?:(?:big|bold|large|small|little|simple|cute|single|giant|painted) ){{0,3}}{_COLOR}"
+    rf"(?P<thing>[a-z'-]+(?: [a-z'-]+){{0,2}}?)"
+    rf"(?:(?P<mark>[ -]{_MARK})(?![\w-])|"
+    rf"(?=$|[,.;!]| (?!on top(?! of)\b)(?:{_AFTER}|{_MADE})\b))"
+)
+_ON_IT = re.compile(
+    r"(?: {_MADE})?,? (?:on|onto|across) (?:it|the|its|his|her)\b".replace("{_MADE}", _MADE)
+)
+# Flat things: another one "with" them is a picture.
+_PRINTED = _rule(
+    r"(?:t-?shirt|shirt|hoodie|jersey|flag|banner|shield|poster|medal|sticker|badge|coin|"
+    r"tarot card|playing card|skateboard|snowboard|surfboard|stamp|tapestry)\b"
+)
 # Things with pictures on them: a thing "with" them is drawn.
 _BEARING = (
     "t-?shirt|shirt|hoodie|jersey|jacket|mug|cup|flag|banner|sign|shield|poster|crate|barrel|"
@@ -237,7 +256,7 @@ def emblems_in(prompt: str, but: Collection[str] = ()) -> tuple[tuple[Emblem, ..
 
 def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, str]:
     """The first emblem, and the prompt without it."""
-    for emblem, start, end in (*_texts(prompt), *_shapes(prompt)):
+    for emblem, start, end in drawn_in(prompt):
         after = prompt[end:]
         also = _ALSO.sub(" with ", after, count=1)
         # "With a heart and a star", "that says HELLO and a heart".
@@ -252,7 +271,7 @@ def emblem_in(prompt: str, but: Collection[str] = ()) -> tuple[Emblem | None, st
 
 def drawn_in(prompt: str) -> list[tuple[Emblem, int, int]]:
     """All possible emblems, and their places in the prompt."""
-    return [*_texts(prompt), *_shapes(prompt)]
+    return [*_texts(prompt), *_shapes(prompt), *_portraits(prompt)]
 
 
 def _texts(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
@@ -304,6 +323,25 @@ def _shapes(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         of_noun = match["mark"] and not tail[0] and _NOUN.match(prompt, tail.end())
         start = match.start("shape") if of_noun else match.start()
         yield Emblem(text, shape, *color, *_place(tail)), start, tail.end()
+
+
+def _portraits(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
+    """The pictures of things, and the places of their phrases in the prompt."""
+    for match in _PORTRAIT.finditer(prompt):
+        form = match["thing"].lower()
+        slot, noun = LEXICON.get(form, ("", ""))
+        tail = _TAIL.match(prompt, match.end())
+        printed = _PRINTED.search(prompt[: match.start()])
+        bears = printed or is_pictured(named_in(prompt[: match.start()]))
+        if slot != "noun" or not tail or not bears or form in FLAT_FORMS:
+            continue
+        follows = _BEHIND.match(match[0])
+        drawn = match["mark"] or (follows and follows[1]) or re.match(f" {_MADE}", tail[0])
+        on_it = _ON_IT.match(tail[0])
+        if not (drawn or on_it or printed):
+            continue
+        color = _color(match["color"] or tail["color"] or tail["after"])
+        yield Emblem("", noun, *color, *_place(tail), is_portrait=True), match.start(), tail.end()
 
 
 def _scattered(prompt: str) -> Iterator[tuple[Emblem, int, int]]:

@@ -20,6 +20,9 @@ from core.guidance.builtin.words.styles import Style
 from core.guidance.builtin.words.words import ALSO_OF_FUR
 from core.io.job import SIZES
 
+# In the order of the networks' embeddings.
+GEOMETRY_SLOTS = ("noun", "shape", "part")
+
 
 @dataclass(frozen=True)
 class Words:

@@ -30,7 +30,7 @@ from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.moods import mood_in
-from core.guidance.builtin.words.part_names import own_name
+from core.guidance.builtin.words.part_names import looks_of, own_name
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
 from core.guidance.builtin.words.poses import in_a_word, pose_of
@@ -53,6 +53,7 @@ from core.guidance.builtin.words.written import apart_from_texts
 
 W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"
+OWN_EMBLEM = "emblem"  # a part by that name
 # "My dog is a brown dachshund".
 MINE = re.compile(r"^\s*(?:my|our) (?:\w+ ){1,2}?is (?=(?:an?|the) )", re.IGNORECASE)
 _ANOTHER = r" (?=(?:an?|two|three|the|its|his|her) )"
@@ -330,6 +331,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
+    if emblems and OWN_EMBLEM in looks_of(words["noun"]):  # a coin's eagle makes room
+        words["absent"] = tuple(dict.fromkeys((*words["absent"], OWN_EMBLEM)))
     words["pose"], words["mood"] = pose, "" if mooded.is_drawn else mooded.mood
     words["part_sizes"] = got.part_sizes(words["noun"])
     # In the table's order: snow is on dirt.

@@ -3,17 +3,20 @@ colour."""
 
 import colorsys
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import torch
 from jaxtyping import Float
 from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
+from core.guidance.builtin.markings.emblems.portraits import Portrait
 from core.guidance.builtin.markings.emblems.scattered import Scattered, scattered_on
 from core.guidance.builtin.markings.emblems.windows import HOLES, Window, window_on
 from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.markings import bearer_of
+from core.guidance.builtin.markings.overlay import Overlay
 from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
 from core.guidance.builtin.palette import FINISHES, PAINT, Painted, companion
@@ -51,7 +54,8 @@ COLORS: dict[str, Color] = {  # where the prompt names no colour
     "leaf": (0.25, 0.55, 0.22),
     **{f"{mood} face": (0.09, 0.07, 0.07) for mood in MOODS},
 }
-UNEVEN = 0.1  # fraction of a face's rectangle that may be uneven
+UNEVEN = 0.1  # fraction of a face's or a picture's rectangle that may be uneven
+INK: Color = (0.11, 0.09, 0.1)  # of the lines of a portrait
 MAIN = 0.6  # fraction of the most worth: nothing is scattered on parts of less
 CLEAR = 0.3  # least difference of one channel from the colour below
 VIVID, SAME_HUE = 0.3, 0.08  # saturation; of the circle
@@ -59,12 +63,20 @@ STRIPE, APART = 0.1, 0.24  # half of a racing stripe, and from the middle, in ha
 
 
 def drawn_on(
-    noun: str, emblems: Sequence[Emblem], parts: KnownParts, paints: list[Painted]
+    noun: str,
+    emblems: Sequence[Emblem],
+    parts: KnownParts,
+    paints: list[Painted],
+    portrait: Callable[[Emblem], Portrait] | None = None,
 ) -> "list[Drawn]":
-    """All emblems of an object; changes paints on which an emblem would not be visible."""
+    """All emblems of an object; changes paints on which an emblem would not be visible.
+
+    ``portrait``: draws the picture of another thing.
+    """
     found: list[Drawn] = []
     for emblem in emblems:
-        found.append(Drawn(emblem, noun, parts, paints, found))
+        picture = portrait(emblem) if portrait and emblem.is_portrait else None
+        found.append(Drawn(emblem, noun, parts, paints, found, picture))
         found[-1].make_seen(paints)
     return found
 
@@ -80,13 +92,20 @@ class Drawn:
         parts: KnownParts,
         paints: list[Painted],
         before: "Sequence[Drawn]" = (),
+        portrait: Portrait | None = None,
     ) -> None:
-        """``before``: emblems that are already on the object, at the end of the distances."""
+        """
+        Args:
+            before: emblems that are already on the object, at the end of the distances.
+            portrait: its picture, if it is one of a thing.
+        """
         self.emblem, self.count = emblem, len(paints) + len(before)
+        self.portrait = portrait
         self.text = _in_lines(emblem.text)
         wide, high = text_size(self.text) if self.text else (1.0, 1.0)
         self.high = high
-        side = emblem.side or ("front" if is_creature(noun) else "")
+        is_face = emblem.shape.endswith(" face")
+        side = emblem.side or ("front" if is_face or is_creature(noun) else "")
         on = "body" if emblem.on in TRUNK else emblem.on
         # A marking has no surface of its own.
         asked = [bearer_of(noun, name) for name in own_names(noun, on)] if on else []
@@ -106,7 +125,8 @@ class Drawn:
             self.scattered = scattered_on(parts, self.over)
         else:
             taken = [one.window for one in before if one.window]
-            holes = UNEVEN if emblem.shape.endswith("face") else HOLES  # a pumpkin's ribs
+            # A face may be on a pumpkin's ribs, a picture go a little around a mug.
+            holes = UNEVEN if portrait or is_face else HOLES
             self.window = window_on(parts, worth, wide / high, side, taken, holes)
             if self.window is None and asked:  # without room there, anywhere
                 worth = [_worth(paint, [], emblem) for paint in paints]
@@ -118,7 +138,23 @@ class Drawn:
         if self.stripes is not None:  # not on helmets and wings
             self.bears = [self.on, *(k for k, x in enumerate(paints) if x.look.role == "*")]
         self.bears += range(len(paints), self.count)
-        self.paint = _painted(paints[self.on], emblem)
+        below = paints[self.on]
+        self.paint = _painted(below, emblem, INK if portrait else _color(below.color, emblem))
+        self._below = below
+
+    def layers(self) -> list[Overlay]:
+        """The colours of a portrait, on its silhouette."""
+        if self.portrait is None or self.window is None:
+            return []
+        found, silhouette = [], self.count
+        for layer in self.portrait.layers:
+            color = layer.color
+            if self.emblem.color in METALS:
+                color = _color(self._below.color, self.emblem)
+            paint = _painted(self._below, self.emblem, color)
+            margin = partial(self._in_window, of=layer.margin)
+            found.append(Overlay(margin, (silhouette,), self.on, paint))
+        return found
 
     @property
     def has_place(self) -> bool:
@@ -126,7 +162,10 @@ class Drawn:
         return any(one is not None for one in (self.window, self.stripes, self.scattered))
 
     def make_seen(self, paints: list[Painted]) -> None:
-        """Change the paints below it that have their natural colour, so that it is visible."""
+        """Change the paints below it that have their natural colour, so that it is visible; a
+        portrait is, by its lines."""
+        if self.portrait:
+            return
         for part in self.over:
             on = paints[part]
             seen = differ(on.color, self.paint.color) and not has_same_hue(
@@ -155,12 +194,22 @@ class Drawn:
             return self.scattered.margin(points, self.emblem.shape)
         if self.window is None:
             return torch.full_like(points[:, 0], -1.0)
+        if self.portrait:
+            return self._in_window(points, self.portrait.margin)
         at, half = self.window.at(points) / FULL, self.window.half * FULL
         if not self.text:
             return all_of(shape_margin(at, self.emblem.shape) * half, self.window.before(points))
         letter = self.high / 2  # a capital's height, of half the text's
         margin = (lettering(at * letter, self.text) + BOLD) * half / letter
         return all_of(margin, self.window.before(points))
+
+    def _in_window(
+        self, points: Float[Tensor, "n 3"], of: Callable[[Float[Tensor, "n 2"]], Tensor]
+    ) -> Float[Tensor, " n"]:
+        """The margin ``of`` places of the window, training units."""
+        window = self.window
+        assert window is not None
+        return all_of(of(window.at(points) / FULL) * window.half * FULL, window.before(points))
 
 
 def _in_lines(text: str) -> str:
@@ -181,13 +230,12 @@ def _worth(paint: Painted, asked: list[str], emblem: Emblem) -> float:
     return much if differ(paint.color, _color(paint.color, emblem)) else much / 2
 
 
-def _painted(on: Painted, emblem: Emblem) -> Painted:
+def _painted(on: Painted, emblem: Emblem, color: Color) -> Painted:
     """Its colour on the part below: of the same material where that takes paint, otherwise
     paint."""
-    color = _color(on.color, emblem)
     look = on.look._replace(role="+", color=color, pattern="")
     own = on._replace(name="emblem", look=look, color=color, second=color, pattern="", tone="")
-    if emblem.color in METALS:
+    if emblem.color in METALS and color != INK:
         return own._replace(
             finish=FINISHES[emblem.color], material=emblem.color, material_form=emblem.color_form
         )
