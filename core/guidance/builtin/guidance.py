@@ -223,7 +223,7 @@ class PromptedBuiltin(PromptedGuidance):
 
     def parts(self) -> KnownParts | None:
         """The parts of the drawn solid."""
-        return self.painted and self.painted.parts
+        return self.painted and self.painted.made
 
     @property
     def _axes(self) -> tuple[int, ...]:

@@ -14,6 +14,7 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
+from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
@@ -90,6 +91,17 @@ class PaintedSolid:
         changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
         forms = Forms(flat, kept, cornered, least, thick)
         return KnownParts(self.solid.distances, forms, wider, changed)
+
+    @cached_property
+    def cut(self) -> Cut | None:
+        """What is cut out of it; None where it is whole."""
+        is_made = self.whole and not isinstance(self.solid, Garment)
+        return cut_out_of(self.words, self.parts, self.paints) if self.words.cut and is_made else None
+
+    @property
+    def made(self) -> KnownParts:
+        """Its parts, cut if the words state a cut."""
+        return self.cut.parts if self.cut else self.parts
 
     def fitting(self) -> "PaintedSolid":
         """The same within the cube again, where some of its parts got another size."""
@@ -174,6 +186,11 @@ class PaintedSolid:
             each.append(Area(True, ranges_of(paint.finish, paint.color), surface, level))
             margins.append(None)
             shown_on.append(emblem.on)
+        if self.cut:
+            fields = [partial(self.cut.shown, field, count=len(margins)) for field in fields]
+            each += self.cut.areas
+            margins += [None] * len(self.cut.areas)
+            shown_on += [part for part, _ in self.cut.fills]
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         parts = torch.tensor(shown_on)
         return AreaFields(drawn, near, tuple(each), lambda at, of: self._height(at, parts[of]))
