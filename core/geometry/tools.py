@@ -91,7 +91,7 @@ def rough(
     reach: float,
     shift: Sequence[float] = (0.0, 0.0),
 ) -> Tool:
-    """As :func:`beyond`, of a surface with heights above the plane, at the nodes of a square lattice
+    """As :func:`beyond`, of a surface with heights above the plane at the nodes of a square lattice
     from shift - reach to shift + reach along both of its directions, in flat triangles."""
     across, up = frame_across(normal)
     count = len(heights)

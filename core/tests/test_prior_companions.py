@@ -281,6 +281,7 @@ def test_the_report_has_each_with_its_looks():
             "relation": "on",
             "thing": "chair",
             "pose": None,
+            "cut": None,
             "count": 1,
             "order": "row",
             "colours": ["red"],

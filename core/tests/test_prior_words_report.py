@@ -279,6 +279,7 @@ def test_what_is_understood_is_plain_data():
         "thing": "house",
         "style": None,
         "pose": None,
+        "cut": None,
         "count": 1,
         "order": "row",
         "shape": "tall",

@@ -122,6 +122,7 @@ def summary(report: Report) -> str:
     words = [
         _several(report, report["thing"]),
         report.get("pose"),
+        report.get("cut"),
         (report.get("style") or "").replace("_", " "),
         report["shape"],
         report["pattern"],
@@ -145,7 +146,7 @@ def _of_parts(report: Report) -> tuple[list[str], list[str]]:
 def _beside(other: Report) -> str:
     """Another thing, and how the first has it: "wears: red beanie (white brim)"."""
     looks = [*other["colours"], other["pattern"], *other["materials"]]
-    words = [other.get("pose"), *looks, other["thing"]]
+    words = [other.get("pose"), other.get("cut"), *looks, other["thing"]]
     name = _several(other, " ".join(filter(None, words)))
     more = [*_of_parts(other)[0], *other["emblems"]]
     behind = f" ({', '.join(more)})" if more else ""

@@ -48,6 +48,17 @@ class CutParts(KnownParts):
         """The parts' distances from their exact surfaces."""
         return self._without(self.whole.near(points), points)
 
+    @property
+    def missing(self) -> list[tuple[int, Float[Tensor, " 3"], Float[Tensor, " 3"]]]:
+        """The brittle components that are left out: the part, and the box around each."""
+        found = []
+        for index, component in enumerate(self.whole.components):
+            part = component.place.part
+            if index not in self._left and part in self.brittle:
+                verts, _ = self.whole.surface_of(index)
+                found.append((part, verts.amin(0) - GAP, verts.amax(0) + GAP))
+        return found
+
     @cached_property
     def _left(self) -> dict[int, Mesh]:
         """What is left of each component, by its index in the whole; what is cut off from the

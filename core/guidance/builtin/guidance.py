@@ -37,7 +37,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, unsized
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncut, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -218,7 +218,7 @@ class PromptedBuiltin(PromptedGuidance):
         without room on the thing), on each part that stays, and on each that keeps its size."""
         if self.painted is None:
             notes = (f"{emblem}: {NOT_DRAWN_ON}" for emblem in self.words.emblems)
-            return (*notes, *unsized(self.words))
+            return (*notes, *unsized(self.words), *uncut(self.words))
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

@@ -45,6 +45,7 @@ BEARS = "it stays, as markings are on it."
 IN_EYES = "pupils", "glints", "whites"
 FACES = "head", "face"
 LID = 0.7  # sRGB, of the colour around it
+UNCUT = "left out, as only what the built-in prior puts together itself is cut."
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
 NO_ROOM = "left out, as the thing has no room for it."
 
@@ -95,8 +96,9 @@ class PaintedSolid:
     @cached_property
     def cut(self) -> Cut | None:
         """What is cut out of it; None where it is whole."""
-        is_made = self.whole and not isinstance(self.solid, Garment)
-        return cut_out_of(self.words, self.parts, self.paints) if self.words.cut and is_made else None
+        if not self.words.cut or not self.whole or isinstance(self.solid, Garment):
+            return None
+        return cut_out_of(self.words, self.parts, self.paints)
 
     @property
     def made(self) -> KnownParts:
@@ -214,7 +216,7 @@ class PaintedSolid:
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
-            *(() if drawn else unsized(self.words)),
+            *(() if drawn else (*unsized(self.words), *uncut(self.words))),
         )
 
 
@@ -229,6 +231,12 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
 def unsized(words: Words) -> Iterator[str]:
     """A note on each part whose size is left out."""
     return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
+
+
+def uncut(words: Words) -> Iterator[str]:
+    """A note on a cut that is left out."""
+    if words.cut:
+        yield f"{words.noun} {words.cut}: {UNCUT}"
 
 
 def bears(words: Words, part: str) -> bool:

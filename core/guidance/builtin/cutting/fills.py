@@ -79,7 +79,7 @@ def of_nature(noun: str, kind: str, color: Color) -> Fill:
 
 def within(low: float, high: float) -> Margin:
     """Between two depths below a part's surface, training units."""
-    return lambda points, depth: torch.minimum(depth - low, high - depth)
+    return lambda _, depth: torch.minimum(depth - low, high - depth)
 
 
 def _local(points: Float[Tensor, "n 3"], box: Extent, normal: tuple[float, ...]) -> Tensor:
@@ -112,18 +112,16 @@ def citrus(skin: Color, flesh: Color, box: Extent, normal: tuple[float, ...]) ->
     return [
         Fill(pith, "flesh"),
         Fill(skin, "peel", within(-1.0, 0.028 * size)),
-        Fill(flesh, "flesh", lambda p, d: 2 * segments(p, d).clamp(-0.05, 0.05)),
+        Fill(flesh, "flesh", segments),
     ]
 
 
 def dots(places: list[tuple[float, float]], radius: float, long: float, box: Extent) -> Margin:
     """Seeds on a face towards the front: ellipses at places in half sizes of the box."""
 
-    def at(points: Tensor, depth: Tensor) -> Tensor:
+    def at(points: Tensor, _depth: Tensor) -> Tensor:
         flat = _local(points, box, FACE_WAY)
-        each = [
-            radius - torch.hypot(flat[:, 0] - x, (flat[:, 1] - y) / long) for x, y in places
-        ]
+        each = [radius - torch.hypot(flat[:, 0] - x, (flat[:, 1] - y) / long) for x, y in places]
         return torch.stack(each).amax(0) * float(box.half.min())
 
     return at
@@ -137,7 +135,7 @@ def of_pome(box: Extent) -> list[Fill]:
     return [
         Fill(CREAM_FLESH, "flesh"),
         Fill(mixed(CREAM_FLESH, rgb("d9c27c"), 0.6), "flesh", core),
-        Fill(SEED, "peel", lambda p, d: 2 * seeds(p, d)),
+        Fill(SEED, "peel", seeds),
     ]
 
 
@@ -146,12 +144,15 @@ def of_watermelon(box: Extent, normal: tuple[float, ...]) -> list[Fill]:
     size = float(box.half.min())
     rings = [(0.42, 8, 0.0), (0.66, 13, 0.2)]
     places = [
-        (far * math.cos(2 * math.pi * (k + turn) / count), far * math.sin(2 * math.pi * (k + turn) / count))
+        (
+            far * math.cos(2 * math.pi * (k + turn) / count),
+            far * math.sin(2 * math.pi * (k + turn) / count),
+        )
         for far, count, turn in rings
         for k in range(count)
     ]
 
-    def seeds(points: Tensor, depth: Tensor) -> Tensor:
+    def seeds(points: Tensor, _depth: Tensor) -> Tensor:
         flat = _local(points, box, normal)
         x, y = (flat[:, k, None] - torch.tensor([p[k] for p in places]).to(points) for k in (0, 1))
         return (0.038 - torch.hypot(x, y * 1.2).amin(1)) * size
@@ -160,7 +161,7 @@ def of_watermelon(box: Extent, normal: tuple[float, ...]) -> list[Fill]:
         Fill(rgb("e2343f"), "flesh"),
         Fill(rgb("2f7d36"), "peel", within(-1.0, 0.03 * size)),
         Fill(rgb("dfeec4"), "flesh", within(0.03 * size, 0.14 * size)),
-        Fill(rgb("1c1512"), "peel", lambda p, d: 2 * torch.minimum(seeds(p, d), d - 0.2 * size)),
+        Fill(rgb("1c1512"), "peel", lambda p, d: torch.minimum(seeds(p, d), d - 0.2 * size)),
     ]
 
 
@@ -170,7 +171,7 @@ def of_cake(color: Color, box: Extent) -> list[Fill]:
     levels = [low + (high - low) * part for part in (0.3, 0.58)]
     thick = 0.026 * (high - low)
 
-    def cream(points: Tensor, depth: Tensor) -> Tensor:
+    def cream(points: Tensor, _depth: Tensor) -> Tensor:
         return torch.stack([thick - (points[:, 2] - z).abs() for z in levels]).amax(0)
 
     return [Fill(mixed(color, SPONGE, 0.35), "crumb"), Fill(FROSTING, "cream", cream)]
@@ -182,7 +183,7 @@ def of_egg(shell: Color, box: Extent) -> list[Fill]:
     wide = float(box.half[0])
     middle = torch.from_numpy(box.middle)
 
-    def around(points: Tensor, depth: Tensor) -> Tensor:
+    def around(points: Tensor) -> Tensor:
         return (points - middle.to(points))[:, :2].norm(dim=1)
 
     def on_level(points: Tensor) -> Tensor:
@@ -190,8 +191,16 @@ def of_egg(shell: Color, box: Extent) -> list[Fill]:
 
     return [
         Fill(mixed(shell, WHITE, 0.7), "bone"),
-        Fill(rgb("f3ead0"), "liquid", lambda p, d: torch.minimum(on_level(p), 0.82 * wide - around(p, d))),
-        Fill(rgb("f5a91c"), "liquid", lambda p, d: 2 * torch.minimum(on_level(p), 0.42 * wide - around(p, d))),
+        Fill(
+            rgb("f3ead0"),
+            "liquid",
+            lambda p, _: torch.minimum(on_level(p), 0.82 * wide - around(p)),
+        ),
+        Fill(
+            rgb("f5a91c"),
+            "liquid",
+            lambda p, _: torch.minimum(on_level(p), 0.42 * wide - around(p)),
+        ),
     ]
 
 

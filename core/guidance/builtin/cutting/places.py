@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from jaxtyping import Float
 
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.tools import (
@@ -26,10 +25,10 @@ from core.guidance.builtin.words.cuts import CutWord
 
 # Degrees around the vertical, counter-clockwise from the front: of a bite, of a bitten-off half,
 # of a cut face, of a slice's middle.
-BITE_AT, EATEN_AT, FACE_AT, SLICE_AT = 68.0, 55.0, 30.0, 26.0
+BITE_AT, EATEN_AT, FACE_AT, SLICE_AT = 78.0, 55.0, 30.0, 26.0
 FLAT = 0.82  # thickness to width, at most, of what is bitten through
 # Of half the width: a bite's radius, its teeth's, how far in its middle is.
-BITE, TEETH, DEEP = 0.46, 0.17, 0.1
+BITE, TEETH, DEEP = 0.5, 0.17, 0.02
 TEETH_OF = 9  # around a bite
 # Of half the width, where a half is bitten off: a tooth's radius, and that of the whole bite.
 HALF_TEETH, ROUND = 0.2, 1.1
@@ -68,8 +67,8 @@ SPARED = {
 }
 # Parts that are whole or missing.
 BRITTLE = frozenset(
-    """candles flames topping cherry berries windows frames door stalk leaf leaves nails pegs sprinkles
-    strands drops eyes""".split()
+    """candles flames topping cherry berries windows frames door stalk leaf leaves nails pegs
+    sprinkles strands drops eyes""".split()
 )
 # Drawn with a half or a slice before them: the part that is the whole fruit.
 PAIRS = {"orange fruit": "body", "watermelon": "rind"}
@@ -119,7 +118,7 @@ def tool_of(
     """
     box = extent_of(noun, parts, names)
     if cut == "bitten":
-        return bite(box, parts, noun)
+        return bite(box, parts)
     if cut == "half-eaten":
         return half_eaten(box)
     if cut == "halved":
@@ -176,13 +175,13 @@ def way(around_deg: float, up: float = 0.0) -> Vector:
     return found / np.linalg.norm(found)
 
 
-def bite(box: Extent, parts: KnownParts, noun: str) -> Tool:
+def bite(box: Extent, parts: KnownParts) -> Tool:
     """One bite at the rim: a ball with a ring of teeth; through what is flat, all the way."""
     thin = int(box.half.argmin())
     wide = float(np.delete(box.half, thin).min())
     if box.half[thin] > FLAT * box.half.max():  # as thick as wide
         out = way(BITE_AT, 0.12)
-        at = _rim(parts, box.middle, out, noun)
+        at = _rim(parts, box.middle, out)
         across, up = np.array([-out[1], out[0], 0.0]), np.array([0.0, 0.0, 1.0])
         radius = BITE * wide
         start = at + DEEP * wide * out
@@ -194,7 +193,7 @@ def bite(box: Extent, parts: KnownParts, noun: str) -> Tool:
                 balls.append(capsule(tooth, tooth, 0.4 * radius))
         return joined(balls)
     out = way(BITE_AT) if thin == 2 else np.array([0.72, 0.0, 0.69])
-    at = _rim(parts, box.middle, out, noun)
+    at = _rim(parts, box.middle, out)
     along = np.eye(3)[thin]
     through = (box.half[thin] + 0.1) * along
     across = np.cross(along, out)
@@ -209,7 +208,7 @@ def bite(box: Extent, parts: KnownParts, noun: str) -> Tool:
     return joined(cylinders)
 
 
-def _rim(parts: KnownParts, middle: Vector, out: Vector, noun: str) -> Vector:
+def _rim(parts: KnownParts, middle: Vector, out: Vector) -> Vector:
     """Where a thing ends in a direction from its middle."""
     far = torch.linspace(0, 1.2, 240)
     ray = torch.from_numpy(middle).float() + far[:, None] * torch.from_numpy(out).float()
@@ -293,16 +292,15 @@ def broken(noun: str, box: Extent, grain: str, parts: KnownParts, is_statue: boo
     others = np.delete(box.half, axis)
     coarse, fine = GRAINS[grain]
     if noun in UPRIGHT:
-        normal = way(90, 2.2)
+        normal = way(90, 3.0)
         at = box.middle.copy()
-        at[2] += (2 * LEFT - 1) * box.half[2]
+        at[2] += (2 * RUIN_LEFT - 1) * box.half[2]
         wide, high = float(box.half[0]), float(box.half[2])
         fine_of = 0.06 if grain == "wooden" else 0.12
         return rough_plane(noun, normal, at, [(0.34 * wide, 0.3 * high), (fine_of, fine_of)])
     if noun == "bust" or is_statue:
-        normal = way(FACE_AT + 60, 0.75)
-        at = box.middle.copy()
-        at[2] += (2 * STATUE_LEFT - 1) * box.half[2]
+        normal = way(FACE_AT + 62, 0.75)
+        at = box.middle + np.array([0.2, 0.0, 2 * STATUE_LEFT - 1]) * box.half
         wide = float(2 * others.min())
     elif box.half[axis] > SLENDER * others.max():
         normal = 0.28 * way(SLICE_AT) + np.eye(3)[axis] * (-1 if axis == 1 else 1)

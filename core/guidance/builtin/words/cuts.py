@@ -51,9 +51,13 @@ _OF_A_PART = re.compile(
 )
 
 _FOOD = {*GROUPS["Food"], *GROUPS["Fruit and Vegetables"]}
-EATEN = frozenset(_FOOD) - frozenset(
-    "ramen salad fries popcorn can jar grapes cherry garlic coconut sundae avocado".split()
-) - {"milk carton"}
+EATEN = (
+    frozenset(_FOOD)
+    - frozenset(
+        "ramen salad fries popcorn can jar grapes cherry garlic coconut sundae avocado".split()
+    )
+    - {"milk carton"}
+)
 HALVED = frozenset(
     """apple pear lemon peach strawberry watermelon tomato pumpkin onion potato eggplant pepper
     pineapple bread cake pie pizza hamburger burrito donut cookie muffin cupcake croissant egg
@@ -66,12 +70,17 @@ AS_DRAWN: dict[CutWord, frozenset[str]] = {
 }
 SHOWN_SLICED = AS_DRAWN["halved"] | {"bread", "orange fruit"}
 SLICED = frozenset("cake pie pizza".split())
-_STANDING = frozenset(GROUPS["Buildings"]) - frozenset(
-    """treehouse island mountain volcano dumpster pallet crane seesaw swing carousel""".split()
-) - frozenset(
-    ["street lamp", "bus stop", "phone booth", "parking meter", "gas pump", "vending machine"]
-) - frozenset(
-    ["market stall", "shipping container", "wind turbine", "solar panel", "ferris wheel"]
+_STANDING = (
+    frozenset(GROUPS["Buildings"])
+    - frozenset(
+        """treehouse island mountain volcano dumpster pallet crane seesaw swing carousel""".split()
+    )
+    - frozenset(
+        ["street lamp", "bus stop", "phone booth", "parking meter", "gas pump", "vending machine"]
+    )
+    - frozenset(
+        ["market stall", "shipping container", "wind turbine", "solar panel", "ferris wheel"]
+    )
 )
 RUINED = _STANDING - frozenset(
     ["column", "gate", "torii gate", "wall", "fountain", "staircase", "spiral staircase", "pyramid"]
