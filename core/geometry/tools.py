@@ -92,15 +92,17 @@ def rough(
     shift: Sequence[float] = (0.0, 0.0),
 ) -> Tool:
     """As :func:`beyond`, of a surface with heights above the plane at the nodes of a square lattice
-    from shift - reach to shift + reach along both of its directions, in flat triangles."""
+    from shift - reach to shift + reach along both of its directions, in flat triangles; beyond as at
+    its rim."""
     across, up = frame_across(normal)
     count = len(heights)
-    side = np.linspace(-reach, reach, count)
+    side = np.concatenate([[-FAR], np.linspace(-reach, reach, count), [FAR]])
+    heights_out = np.pad(heights, 1, mode="edge")
     u, v = (x.ravel() for x in np.meshgrid(side, side, indexing="ij"))
     flat = (u[:, None] + shift[0]) * across + (v[:, None] + shift[1]) * up
-    low = flat + (offset + heights.ravel()[:, None]) * normal
+    low = flat + (offset + heights_out.ravel()[:, None]) * normal
     top = flat + (offset + FAR) * normal
-    faces = _closed_lattice(count)
+    faces = _closed_lattice(count + 2)
     table = torch.from_numpy(heights).float()[None, None]
     ways = torch.from_numpy(np.stack([across, up, normal], 1))
     cell = 2 * reach / (count - 1)

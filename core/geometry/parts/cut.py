@@ -9,6 +9,7 @@ from torch import Tensor
 
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.components import Component, Mesh
+from core.geometry.tet_grid import EXTENT
 from core.geometry.tools import Tool
 from core.geometry.union import joined_to_largest, less, volume
 
@@ -48,9 +49,19 @@ class CutParts(KnownParts):
         """The parts' distances from their exact surfaces."""
         return self._without(self.whole.near(points), points)
 
-    @property
-    def missing(self) -> list[tuple[int, Float[Tensor, " 3"], Float[Tensor, " 3"]]]:
-        """The brittle components that are left out: the part, and the box around each."""
+    def without_missing(
+        self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
+    ) -> Float[Tensor, "n p"]:
+        """Distances of the parts, far where a brittle component is left out."""
+        found = distances.clone()
+        for part, low, high in self._missing:
+            here = ((points > low.to(points)) & (points < high.to(points))).all(1)
+            found[here, part] = EXTENT
+        return found
+
+    @cached_property
+    def _missing(self) -> list[tuple[int, Float[Tensor, " 3"], Float[Tensor, " 3"]]]:
+        """The part of each brittle component that is left out, and the box around it."""
         found = []
         for index, component in enumerate(self.whole.components):
             part = component.place.part

@@ -56,9 +56,7 @@ class Cut:
         cut = torch.maximum(known, -tool[:, None])
         kept = list(self.parts.spared)
         cut[:, kept] = known[:, kept]
-        for part, low, high in self.parts.missing:
-            here = ((points > low.to(points)) & (points < high.to(points))).all(1)
-            cut[here, part] = EXTENT
+        cut = self.parts.without_missing(cut, points)
         near = tool.abs() < NEAR
         found = torch.full((len(points), len(self.fills)), EXTENT).to(known)
         found[near] = self._fills_at(points[near], tool[near])
@@ -69,7 +67,8 @@ class Cut:
     ) -> Float[Tensor, "n f"]:
         """The distances of the fills at points so far from the tool."""
         # The parts' exact surfaces: a network's distances are too short deep inside.
-        own, columns = self.parts.whole.near(points), []
+        own = self.parts.without_missing(self.parts.whole.near(points), points)
+        columns = []
         for part, fills in itertools.groupby(self.fills, key=lambda pair: pair[0]):
             depth = -own[:, part]
             for margin in _apart([fill for _, fill in fills], points, depth):

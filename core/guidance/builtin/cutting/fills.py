@@ -40,7 +40,7 @@ def rgb(text: str) -> Color:
     return r, g, b
 
 
-PALE_WOOD, CREAM_FLESH, CRUMB, SPONGE = map(rgb, ("dfb583", "f6ecc9", "f2dca8", "efcf8e"))
+PALE_WOOD, CREAM_FLESH, CRUMB, SPONGE = map(rgb, ("dfb583", "fdf8e4", "f2dca8", "efcf8e"))
 FROSTING = rgb("fbf1e2")
 SEED = rgb("4a2a16")
 # By the kind of a part: the kind of its inside, its colour, and how much of that is mixed in.

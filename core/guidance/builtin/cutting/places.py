@@ -23,12 +23,12 @@ from core.geometry.tools import (
 )
 from core.guidance.builtin.words.cuts import CutWord
 
-# Degrees around the vertical, counter-clockwise from the front: of a bite, of a bitten-off half,
-# of a cut face, of a slice's middle.
-BITE_AT, EATEN_AT, FACE_AT, SLICE_AT = 78.0, 55.0, 30.0, 26.0
+# Degrees around the vertical, counter-clockwise from the front: of a bite, of one in what is
+# flat, of a bitten-off half, of a cut face, of a slice's middle.
+BITE_AT, RIM_AT, EATEN_AT, FACE_AT, SLICE_AT = 90.0, 66.0, 55.0, 30.0, 26.0
 FLAT = 0.82  # thickness to width, at most, of what is bitten through
 # Of half the width: a bite's radius, its teeth's, how far in its middle is.
-BITE, TEETH, DEEP = 0.5, 0.17, 0.02
+BITE, TEETH, DEEP = 0.56, 0.17, 0.02
 TEETH_OF = 9  # around a bite
 # Of half the width, where a half is bitten off: a tooth's radius, and that of the whole bite.
 HALF_TEETH, ROUND = 0.2, 1.1
@@ -62,6 +62,9 @@ SPARED = {
     "apple": STALKS,
     "pear": STALKS,
     "peach": STALKS,
+    "strawberry": ("leaves",),
+    "tomato": ("leaves", "stalk"),
+    "pumpkin": STALKS,
     "cake": ("plate",),
     "pie": ("dish", "bands", "flutes"),
 }
@@ -192,7 +195,7 @@ def bite(box: Extent, parts: KnownParts) -> Tool:
                 tooth = tooth + radius * (0.6 * side * across + (0.72 - 0.2 * abs(side)) * row * up)
                 balls.append(capsule(tooth, tooth, 0.4 * radius))
         return joined(balls)
-    out = way(BITE_AT) if thin == 2 else np.array([0.72, 0.0, 0.69])
+    out = way(RIM_AT) if thin == 2 else np.array([0.72, 0.0, 0.69])
     at = _rim(parts, box.middle, out)
     along = np.eye(3)[thin]
     through = (box.half[thin] + 0.1) * along
@@ -282,8 +285,7 @@ def rough_plane(
     across = frame_across(normal)
     # The lattice is around ``at``.
     shift = [float(at @ one) for one in across]
-    near = rough(normal, offset, heights, reach, shift)
-    return joined([near, beyond(normal, offset + float(heights.max()))])
+    return rough(normal, offset, heights, reach, shift)
 
 
 def broken(noun: str, box: Extent, grain: str, parts: KnownParts, is_statue: bool) -> Tool:

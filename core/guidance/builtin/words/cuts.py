@@ -20,6 +20,7 @@ _SLICE = r"(?:(?:an?|one|the|its|single|large|big|small) )*(?:missing )?(?:slice
 _PHRASES = {
     rf",? ?\b(?:with|that has|has|having|missing|minus) {_BITES}(?: marks?)?(?: (?:that )?(?:is )?"
     rf"(?:{_GONE}|bitten))?{_OUT_OF_IT}(?![\w-])": " bitten",
+    rf",? and {_BITES} {_GONE}{_OUT_OF_IT}(?![\w-])": " bitten",
     rf"\bbitten{_OUT_OF_IT}(?! by)(?![\w-])": "bitten",
     r"\b(?:partly|partially|half)[- ](?:eaten|bitten)\b": "half-eaten",
     r"\b(?:nibbled(?: on)?|(?:a )?(?:bit|partially) eaten)\b": "bitten",
@@ -29,7 +30,7 @@ _PHRASES = {
 }
 # Of these alone: "a table with a missing piece" is another thing.
 _SLICED = re.compile(
-    r"\b(?P<of>(?:cake|cheesecake|torte|pie|tart|quiche|pizza)s?\b[^,]*?),? "
+    r"\b(?P<of>(?:cake|cheesecake|torte|pie|tart|quiche|pizza|watermelon)s?\b[^,]*?),? "
     rf"(?:(?:with|that has|missing|minus|lacking) {_SLICE}(?: (?:is |being )?{_GONE})?{_OUT_OF_IT}|"
     rf"with {_SLICE} {_GONE}{_OUT_OF_IT})(?![\w-])",
     re.IGNORECASE,
@@ -138,6 +139,8 @@ def cut_of(noun: str, prompt: str, is_statue: bool = False) -> tuple[CutWord, li
         return "broken", ["cracked"]
     if noun in SHOWN_SLICED and says(text, "sliced"):
         return "", ["sliced"]
+    if noun == "lemon" and says(text, "sliced"):
+        return "halved", ["sliced"]
     return "", []
 
 
