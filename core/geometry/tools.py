@@ -91,9 +91,13 @@ def rough(
     reach: float,
     shift: Sequence[float] = (0.0, 0.0),
 ) -> Tool:
-    """As :func:`beyond`, of a surface with heights above the plane at the nodes of a square lattice
-    from shift - reach to shift + reach along both of its directions, in flat triangles; beyond as at
-    its rim."""
+    """As :func:`beyond`, of a surface in flat triangles.
+
+    Args:
+        heights: above the plane, at the nodes of a square lattice; farther off as at its rim.
+        reach: half of the lattice's side, along two directions across the normal.
+        shift: the lattice's middle along these.
+    """
     across, up = frame_across(normal)
     count = len(heights)
     side = np.concatenate([[-FAR], np.linspace(-reach, reach, count), [FAR]])

@@ -143,6 +143,30 @@ def test_what_is_brittle_is_whole_or_missing_and_what_is_spared_is_whole():
     assert torch.equal(spared.surface_of(1)[0], whole.surface_of(1)[0])
 
 
+@pytest.mark.parametrize(
+    ("cut", "noun"),
+    [
+        ("bitten", "apple"),
+        ("half-eaten", "donut"),
+        ("halved", "pear"),
+        ("slice missing", "cake"),
+        ("broken", "boulder"),
+        ("broken", "wall"),
+        ("broken", "bust"),
+        ("ruined", "castle"),
+    ],
+)
+def test_a_cut_is_in_what_the_camera_sees(cut, noun):
+    whole = _ball_with_a_stick()
+    tool = places.tool_of(cut, noun, whole, ["body", "stalk"], "stone")
+    points = 2 * torch.rand(4000, 3, generator=torch.Generator().manual_seed(0)) - 1
+    ball = points[points.norm(dim=1) < RADIUS]
+    gone = ball[tool.distance(ball) < 0]
+    assert 0.02 < len(gone) / len(ball) < 0.75
+    camera = torch.from_numpy(places.way(30, 0.35)).float()
+    assert float(gone.mean(0) @ camera) > 0.05
+
+
 def test_the_inside_has_areas_of_its_own():
     whole = _ball_with_a_stick()
     parts = CutParts(whole, beyond(np.array([0.0, -1.0, 0.0]), 0.0), (), (1,))
