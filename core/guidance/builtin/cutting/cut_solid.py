@@ -101,7 +101,7 @@ def cut_out_of(words: Words, whole: KnownParts, paints: Sequence[Painted]) -> Cu
     brittle = [k for k, name in enumerate(names) if name in BRITTLE]
     parts = CutParts(whole, tool, spared, brittle)
     box = extent_of(noun, whole, names)
-    normal = tuple(ACROSS.get(noun, way(FACE_AT, 2 * TILT if noun in PAIRS else 0.0)))
+    normal = tuple(ACROSS.get(noun, way(FACE_AT, TILT if noun in PAIRS else 0.0)))
     fills, areas = [], []
     for part in sorted({component.place.part for component in whole.components}):
         if part in spared:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import torch
 from jaxtyping import Float
@@ -75,6 +75,21 @@ def of_nature(noun: str, kind: str, color: Color) -> Fill:
     if noun in PAINTED_WOOD:
         return Fill(PALE_WOOD, "wooden")
     return Fill(mixed(color, WHITE, 0.15), kind if kind in ROUGHNESS else "stone")
+
+
+def below_ellipsoid(fills: list[Fill], box: Extent) -> list[Fill]:
+    """The fills of a fruit that is one with another: at their depths below the ellipsoid in its
+    box."""
+    middle, half = torch.from_numpy(box.middle), torch.from_numpy(box.half)
+
+    def below(points: Tensor) -> Tensor:
+        off = (points - middle.to(points)) / half.to(points)
+        return (1 - off.norm(dim=1)) * float(half.min())
+
+    def moved(margin: Margin) -> Margin:
+        return lambda points, _: margin(points, below(points))
+
+    return [replace(one, margin=one.margin and moved(one.margin)) for one in fills]
 
 
 def within(low: float, high: float) -> Margin:
@@ -223,13 +238,13 @@ def fills_of(
         if noun == "lemon":
             return citrus(color, rgb("f7e27a"), box, normal)
         if noun == "orange fruit":
-            return citrus(color, rgb("f59a2e"), box, normal)
+            return below_ellipsoid(citrus(color, rgb("f59a2e"), box, normal), box)
         if noun in ("apple", "pear"):
             return of_pome(box)
         if noun == "peach":
             return stone_in(box, rgb("f7c878"))
         if noun == "watermelon":
-            return of_watermelon(box, normal)
+            return below_ellipsoid(of_watermelon(box, normal), box)
         if noun == "cake":
             return of_cake(color, box)
         if noun == "strawberry":

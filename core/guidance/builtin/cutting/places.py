@@ -34,7 +34,7 @@ TEETH_OF = 9  # around a bite
 HALF_TEETH, ROUND = 0.2, 1.1
 EATEN = 0.1  # of half the width: how much less than a half is left
 SLICE = 42.0  # degrees
-TILT = 0.36  # of a cut face, upwards: the z of its normal
+TILT = 1.5  # of the face of half a fruit that lies, upwards: the z of its normal
 SLENDER = 1.55  # length to width, at least, of what is broken across
 # Of the length, what is left: of what is slender, and of what is not, and of a building.
 LEFT, STOUT_LEFT, RUIN_LEFT, STATUE_LEFT = 0.62, 0.62, 0.68, 0.74
@@ -47,7 +47,7 @@ HOLLOW = {
     "barrel": (0.12, 0.05),
     "tower": (0.3, 0.42),
     "lighthouse": (0.3, 0.4),
-    "egg": (0.07, 0.3),
+    "egg": (0.07, 0.36),
     "easter egg": (0.07, 0.05),
     "piggy bank": (0.1, 0.05),
     "planet": (0.1, 0.05),
@@ -244,7 +244,7 @@ def half(noun: str, box: Extent) -> Tool:
     """The front half; of a pair all but the rear half of the whole fruit."""
     normal = np.array(ACROSS.get(noun, way(FACE_AT)))
     if noun in PAIRS:
-        normal = way(FACE_AT, 2 * TILT)
+        normal = way(FACE_AT, TILT)
     normal = normal / np.linalg.norm(normal)
     front = beyond(normal, float(box.middle @ normal))
     if noun not in PAIRS:
