@@ -72,6 +72,52 @@ def clipped(
     return torch.from_numpy(np.array(verts)).to(mesh[0]), torch.from_numpy(faces).to(mesh[1].device)
 
 
+def less(
+    mesh: tuple[Tensor, Tensor], other: tuple[Tensor, Tensor]
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """A closed mesh without what is inside another one; maybe nothing."""
+    return _like(mesh, _solid(*mesh) - _solid(*other))
+
+
+def common(
+    mesh: tuple[Tensor, Tensor], other: tuple[Tensor, Tensor]
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """What is inside both of two closed meshes; maybe nothing."""
+    return _like(mesh, _solid(*mesh) ^ _solid(*other))
+
+
+def joined_to_largest(
+    meshes: Sequence[tuple[Tensor, Tensor]], gap: float, least: float
+) -> list[tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]]:
+    """Of each mesh what belongs to the largest component of the union of all, or is nearer to that
+    than ``gap``; what has less than the volume ``least`` by itself is left out."""
+    solids = [_solid(*mesh) for mesh in meshes]
+    whole = manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add)
+    each = sorted(whole.decompose(), key=lambda one: -one.volume())
+    near = [one for one in each[1:] if one.volume() > 0 and each[0].min_gap(one, gap) < gap]
+    kept = _added([each[0], *near])
+    found = []
+    for mesh, solid in zip(meshes, solids, strict=True):
+        pieces = [one for one in solid.decompose() if one.volume() > least]
+        mine = [one for one in pieces if (one ^ kept).volume() > one.volume() / 2]
+        found.append(_like(mesh, _added(mine)) if len(mine) < len(pieces) else mesh)
+    return found
+
+
+def volume(mesh: tuple[Tensor, Tensor]) -> float:
+    """Of a closed mesh."""
+    return _solid(*mesh).volume()
+
+
+def _like(
+    mesh: tuple[Tensor, Tensor], solid: manifold3d.Manifold
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """A solid as a mesh of the same type as another one."""
+    made = solid.to_mesh()
+    verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
+    return torch.from_numpy(np.array(verts)).to(mesh[0]), torch.from_numpy(faces).to(mesh[1].device)
+
+
 def _room(region: Region) -> manifold3d.Manifold:
     low, high = (end.double().numpy() for end in region.box)
     box = manifold3d.Manifold.cube([float(side) for side in high - low])

@@ -291,6 +291,7 @@ def test_the_report_has_each_with_its_looks():
             "thing": "chair",
             "pose": None,
             "mood": None,
+            "cut": None,
             "count": 1,
             "order": "row",
             "colours": ["red"],

@@ -280,6 +280,7 @@ def test_what_is_understood_is_plain_data():
         "style": None,
         "pose": None,
             "mood": None,
+        "cut": None,
         "count": 1,
         "order": "row",
         "shape": "tall",

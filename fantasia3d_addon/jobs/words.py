@@ -123,6 +123,7 @@ def summary(report: Report) -> str:
         _several(report, report["thing"]),
         report.get("mood"),
         report.get("pose"),
+        report.get("cut"),
         (report.get("style") or "").replace("_", " "),
         report["shape"],
         report["pattern"],
@@ -146,7 +147,8 @@ def _of_parts(report: Report) -> tuple[list[str], list[str]]:
 def _beside(other: Report) -> str:
     """Another thing, and how the first has it: "wears: red beanie (white brim)"."""
     looks = [*other["colours"], other["pattern"], *other["materials"]]
-    words = [other.get("mood"), other.get("pose"), *looks, other["thing"]]
+    does = (other.get(key) for key in ("mood", "pose", "cut"))
+    words = [*does, *looks, other["thing"]]
     name = _several(other, " ".join(filter(None, words)))
     more = [*_of_parts(other)[0], *other["emblems"]]
     behind = f" ({', '.join(more)})" if more else ""

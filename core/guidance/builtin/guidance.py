@@ -37,7 +37,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, unsized
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncut, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -217,12 +217,13 @@ class PromptedBuiltin(PromptedGuidance):
         size."""
         if self.painted is None:
             drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
-            return (*(f"{one}: {NOT_DRAWN_ON}" for one in drawn), *unsized(self.words))
+            notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
+            return (*notes, *unsized(self.words), *uncut(self.words))
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:
         """The parts of the drawn solid."""
-        return self.painted and self.painted.parts
+        return self.painted and self.painted.made
 
     @property
     def _axes(self) -> tuple[int, ...]:

@@ -14,6 +14,7 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
+from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
 from core.guidance.builtin.markings.expressions import MOUTH, expression
@@ -48,6 +49,7 @@ BEARS = "it stays, as markings are on it."
 IN_EYES = "pupils", "glints", "whites"
 FACES = "head", "face"
 LID = 0.7  # sRGB, of the colour around it
+UNCUT = "left out, as only what the built-in prior puts together itself is cut."
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
 NO_ROOM = "left out, as the thing has no room for it."
 
@@ -94,6 +96,18 @@ class PaintedSolid:
         changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
         forms = Forms(flat, kept, cornered, least, thick)
         return KnownParts(self.solid.distances, forms, wider, changed)
+
+    @cached_property
+    def cut(self) -> Cut | None:
+        """What is cut out of it; None where it is whole."""
+        if not self.words.cut or not self.whole or isinstance(self.solid, Garment):
+            return None
+        return cut_out_of(self.words, self.parts, self.paints)
+
+    @property
+    def made(self) -> KnownParts:
+        """Its parts, cut if the words state a cut."""
+        return self.cut.parts if self.cut else self.parts
 
     def fitting(self) -> "PaintedSolid":
         """The same within the cube again, where some of its parts got another size."""
@@ -216,6 +230,11 @@ class PaintedSolid:
             each.append(Area(True, ranges_of(paint.finish, paint.color), surface, level))
             margins.append(None)
             shown_on.append(drawn.on)
+        if self.cut:
+            fields = [partial(self.cut.shown, field, count=len(margins)) for field in fields]
+            each += self.cut.areas
+            margins += [None] * len(self.cut.areas)
+            shown_on += [part for part, _ in self.cut.fills]
         drawn, near = (patterned(depths(of, len(margins)), margins) for of in fields)
         parts = torch.tensor(shown_on)
         return AreaFields(drawn, near, tuple(each), lambda at, of: self._height(at, parts[of]))
@@ -239,7 +258,7 @@ class PaintedSolid:
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
-            *(() if drawn else unsized(self.words)),
+            *(() if drawn else (*unsized(self.words), *uncut(self.words))),
         )
 
 
@@ -254,6 +273,12 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
 def unsized(words: Words) -> Iterator[str]:
     """A note on each part whose size is left out."""
     return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
+
+
+def uncut(words: Words) -> Iterator[str]:
+    """A note on a cut that is left out."""
+    if words.cut:
+        yield f"{words.noun} {words.cut}: {UNCUT}"
 
 
 def bears(words: Words, part: str) -> bool:

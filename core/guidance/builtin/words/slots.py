@@ -9,6 +9,7 @@ from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.companion_openers import Relation
 from core.guidance.builtin.words.count_words import Order
+from core.guidance.builtin.words.cuts import CutWord
 from core.guidance.builtin.words.emblems import Emblem
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
@@ -52,6 +53,7 @@ class Words:
     size: Size | None = field(default=None, compare=False)
     pose: PoseWord = ""
     mood: Mood = ""  # of a thing with eyes
+    cut: CutWord = ""  # what is cut off or broken off
     style: Style = ""  # of the shape
     absent: tuple[str, ...] = ()  # parts that are left out on request
     part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words

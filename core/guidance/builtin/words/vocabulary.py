@@ -23,6 +23,7 @@ from core.guidance.builtin.words.companion_fit import Found, Read
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, companions_in
+from core.guidance.builtin.words.cuts import cut_of, in_cut_words
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
@@ -117,6 +118,7 @@ def _looks(words: Words) -> dict[str, Any]:
         "thing": words.noun,
         "pose": words.pose or None,
         "mood": words.mood or None,
+        "cut": words.cut or None,
         "count": words.count,
         "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
@@ -157,6 +159,7 @@ def parse(
         return _parsed(prompt, False, known, ignore_unknown)
     prompt, style = style_of(W_SLASH.sub("with ", prompt))
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
+    prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
     prompt = made_active(as_phrase(MINE.sub("", prompt)))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
@@ -327,13 +330,15 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     got.take_as_sort(sort.stated)
     pose, stated = pose_of(got.thing, rest)
     got.take_as_sort(stated)
+    cut, stated = cut_of(got.thing, rest, got.is_statue)
+    got.take_as_sort(stated)
     # The part last: its possible words depend on the noun.
     words = {slot: got.only(slot) for slot in ("noun", "shape", "material", "pattern")}
     words |= got.colors() | {"part": got.part(words["noun"])}
     words["absent"] = got.absent(words["noun"])
     if emblems and OWN_EMBLEM in looks_of(words["noun"]):  # a coin's eagle makes room
         words["absent"] = tuple(dict.fromkeys((*words["absent"], OWN_EMBLEM)))
-    words["pose"], words["mood"] = pose, "" if mooded.is_drawn else mooded.mood
+    words |= {"pose": pose, "mood": "" if mooded.is_drawn else mooded.mood, "cut": cut}
     words["part_sizes"] = got.part_sizes(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))

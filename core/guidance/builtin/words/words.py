@@ -298,7 +298,8 @@ IGNORED_ADJECTIVES = frozenset(
     facade entrance interior exterior wreck wreckage ruin ruins remains
     asleep seated crouched curled
     electric acoustic sitting standing running sleeping lying walking flying jumping swimming
-    smiling half broken open closed filled surrounded topped toy figurine prop
+    smiling half halved bitten eaten partly broken open closed filled surrounded topped toy
+    figurine prop
     ornament stuffed cuddly cut sliced stained bent torn crooked percent
     double triple mesh
     backwards upright sideways stuck kept tied hung sick laser lazer
