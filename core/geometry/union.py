@@ -160,6 +160,17 @@ def inset(loops: Loops, by: float) -> list[Float[np.ndarray, "_ 2"]]:
     return [np.array(loop) for loop in made.to_polygons()]
 
 
+def room_within(profile: Float[np.ndarray, "k 2"], wall: float) -> Float[np.ndarray, "_ 2"]:
+    """The profile of the room that a turned solid of this profile is around, where it is hollow and
+    its wall so thick; both of radius and height, counter-clockwise."""
+    across = np.concatenate([profile, (profile * (-1, 1))[::-1]])
+    low, high = profile[:, 1].min(), profile[:, 1].max()
+    half = manifold3d.CrossSection.square([float(profile[:, 0].max()), float(high - low)])
+    made = _outline([across]).offset(-wall, manifold3d.JoinType.Miter)
+    loops = (made ^ half.translate((0.0, float(low)))).to_polygons()
+    return np.array(max(loops, key=len))
+
+
 def _outline(loops: Loops) -> manifold3d.CrossSection:
     corners = [[(float(x), float(y)) for x, y in loop] for loop in loops]
     return manifold3d.CrossSection(corners, manifold3d.FillRule.Positive)

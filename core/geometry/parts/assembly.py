@@ -8,7 +8,7 @@ axis (:mod:`core.geometry.revolved`), or flat outlines one upon another
 over all of them rounds what is smaller than a cell, and each border between two parts is ragged.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
@@ -108,6 +108,12 @@ class KnownParts:
             component._replace(primitive=one and self._thinned(one, component.place.part))
             for component, one in zip(known, even, strict=True)
         ]
+
+    @property
+    def enclosed(self) -> Sequence[Sequence[int]]:
+        """The components of each object that is in a room within others, which it need not
+        touch."""
+        return ()
 
     def _thinned(self, one: Primitive, part: int) -> Primitive:
         """As thick as the real part is."""
@@ -318,7 +324,12 @@ def assembled(
         meshes.append(parts.surface_of(index, exact))
     if not meshes:
         return None
-    return drop_floaters(*union(meshes, STRUT), floaters)
+    if not parts.enclosed:
+        return drop_floaters(*union(meshes, STRUT), floaters)
+    inside = {index for own in parts.enclosed for index in own}
+    groups = [[k for k in range(len(meshes)) if k not in inside], *parts.enclosed]
+    made = [union([meshes[k] for k in own], STRUT) for own in groups]
+    return union([drop_floaters(*one, floaters, rooms=True) for one in made], 0.0)
 
 
 def thinned_by(parts: KnownParts) -> float:

@@ -33,7 +33,8 @@ _HOW = (
 _POSTURE = (
     r"(?:[a-z]{3,}ing|sits|stands|lies|sleeps|rests|perched|seated|laid|placed|mounted|balanced|"
     r"curled|parked|set|propped|planted|potted|settled|nestled|tucked|hidden|stuffed|asleep|served|"
-    r"poised|stranded|dozing|stuck|embedded|lodged|stabbed|plunged|driven|thrust|buried)"
+    r"poised|stranded|dozing|stuck|embedded|lodged|stabbed|plunged|driven|thrust|buried|trapped|sealed|preserved|suspended|captured|imprisoned|enclosed|encased|"
+    r"floating)"
 )
 _DOING = (
     rf"(?:(?:[a-z]{{3,}}ly )?(?:(?P<first>{_POSTURE})(?: {_HOW})* )?"
@@ -57,6 +58,10 @@ _GARMENT = (
     r"dress|cape|cloak|scarf|armou?r|boots|shoes|sneakers|backpack|glasses|sunglasses|goggles|mask)"
     r"(?![\w-]))"
 )
+UNDER_GLASS = (
+    r"(?:under|underneath|beneath|below) (?=(?:an? |the |its )?(?:[\w-]+ ){0,3}"
+    r"(?:dome|cloche|bell jar)(?![\w-]))"
+)
 _DRIVING = ("rowing", "paddling", "piloting", "steering")
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
@@ -78,6 +83,7 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
         False,
     ),
     ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),
+    ("in", rf"{_BEING}{_DOING}{UNDER_GLASS}", True),
     ("wears", r"with ", True),
     ("wears", rf"(?<=,) (?:and )?{_GARMENT}", True),
 )
