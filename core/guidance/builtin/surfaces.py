@@ -7,7 +7,7 @@ import torch
 from core.appearance.material_ranges import MaterialRanges
 from core.guidance.builtin.palette import FINISHES, Finish, Painted, darker, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
-from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
+from core.guidance.builtin.variants import ALL_CLEAR, BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.words.colors import Color, luma, toned
 from core.guidance.builtin.words.slots import Words
 from core.guidance.guidance import Surface
@@ -25,6 +25,8 @@ PALE, PALE_DEPTH = (0.6, 0.9), 0.35
 WHITE = 0.8  # luma of a part painted by nature, such as a window's frame
 GLOSS = 0.03  # range of a part's roughness around its finish's
 SHADE = 0.06  # range of each channel of a part's colour, sRGB
+TINT = 0.35  # of a colour's depth, at each of the four surfaces of a vessel of coloured glass
+DARK = 0.01  # least linear factor's divisor
 SMOOTH = 0.05  # how much smoother clear glass is than the finish
 
 
@@ -59,6 +61,8 @@ def _as_new(words: Words, part: Painted) -> Surface:
     # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
     if wanted and not part.colored:
         factor = _factor(part.color, wanted)
+    elif part.colored and variant.clear == ALL_CLEAR:
+        factor = _factor(part.color, tuple(1 - TINT * (1 - x) for x in part.color))
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     depth = _depth(part.color) if part.colored and variant.kind == "wooden" else 1.0
     return Surface(
@@ -81,7 +85,7 @@ def _depth(color: Color) -> float:
 
 def _lit(noun: str, part: Painted, new: Surface) -> Surface:
     """``new`` with its glow and transmission by nature; for glass, also where that is stated."""
-    if part.material and not new.clear:
+    if (part.material and not new.clear) or new.clear == ALL_CLEAR:
         return new
     glow, clear = lights(noun, part.name, new.kind)
     # Clear glass is smooth, so that it does not blur.
@@ -121,7 +125,7 @@ def _by_nature(noun: str, part: Painted) -> str:
 def _factor(known: Color, wanted: Color) -> Color:
     """The linear factor from ``known`` to ``wanted`` (sRGB)."""
     before, after = srgb_to_linear(torch.tensor([known, wanted]))
-    red, green, blue = (after / before).tolist()
+    red, green, blue = (after / before.clamp_min(DARK)).tolist()
     return red, green, blue
 
 

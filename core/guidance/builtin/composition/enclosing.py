@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import torch
@@ -20,22 +21,25 @@ from core.guidance.builtin.composition.placement import (
     training_size,
 )
 from core.guidance.builtin.composition.thing import Thing
-from core.guidance.builtin.composition.vessel import Vessel, vessel_of
+from core.guidance.builtin.composition.resting import cells_of, highest
+from core.guidance.builtin.composition.vessel import vessel_of
 from core.guidance.builtin.composition.vessels import Shape, shape_for
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.builtin.words.glassware import FLOATING, VESSELS, lies_in
 from core.guidance.builtin.words.living import is_creature
 
+CARRIED = ("wears", "holds", "bears")  # these are in the vessel with who has them
 SOME = 1200  # points of a thing that have to fit
 STEPS, LEVELS = 14, 28  # of the search for its size; heights that it is tried at
 GAP = 0.015  # training units: from the glass
 FILLED = {"standing": 0.94, "floating": 0.8}  # of the largest size that fits
 SUNK = 0.006  # training units: what stands is so deep in the glass; a wall is thicker
 DROP = 0.004  # training units: steps down
-PACKED = 0.62  # of the room: the balls around the things in a heap
-TILT, TRIES = math.radians(35), 160
-ROOMY = 0.55  # of the room's radius: of all that hovers the reach about its middle
-HOVERING = 0.34  # of the room's radius: the size of each of several
+PACKED = 0.5  # of the room: the boxes around the things in a heap
+LONGEST, SMALLER = 0.8, 0.9  # of the room's width; by how much smaller they are, if one has no room
+TILT, TRIES, CELLS = math.radians(30), 60, 40
+TOUCHING = 0.008  # training units: things in a heap overlap
+HOVERING = 0.4  # of the room's radius: the size of each of several
 
 
 class Inside(NamedTuple):
@@ -55,8 +59,8 @@ def inside_of(bodies: Sequence[Body], relations: Sequence[Relation]) -> Inside |
     held = [k for k, how in enumerate(relations, 1) if how == "in" and nouns[k] in VESSELS]
     if not held:
         return None
-    others = tuple(k for k in range(len(bodies)) if k != held[0])
-    return Inside(held[0], others)
+    more = (k for k, how in enumerate(relations, 1) if how in CARRIED)
+    return Inside(held[0], (0, *more))
 
 
 def enclosed(
@@ -65,7 +69,8 @@ def enclosed(
     """The things, their forms and the placements of their copies, at the training's size; the
     vessel is cut to the others."""
     each = [bodies[k] for k in inside.contents]
-    several = sum(body.words.count for body in each) > 1
+    heap = any(body.words.order == "heap" for body in each)
+    several = heap and sum(body.words.count for body in each) > 1
     own = (
         [copies_of(body) for body in each]
         if several or not inside.vessel
@@ -77,18 +82,19 @@ def enclosed(
     things, bodies = list(things), list(bodies)
     words, solid = bodies[inside.vessel].words, things[inside.vessel].solid
     assert solid is not None
+    words = replace(words, size=words.size or bodies[0].words.size)
     wide, deep, high = whole.sides.tolist()
     lies = lies_in(words.noun, each[0].words.noun) and not several
     across = wide if lies else math.hypot(wide, deep)
     vessel = vessel_of(words, solid, shape_for(words.noun, 1.0 if several else high / across, lies))
     things[inside.vessel] = things[inside.vessel].with_solid(vessel)
     bodies[inside.vessel] = vessel.body(words)
-    if several and _floats(things[inside.contents[0]].words):
+    if several and each[0].words.noun in FLOATING:
         found = _hovering(each, vessel.shape)
     elif several:
         found = _packed(each, vessel.shape)
     else:
-        place = _within(whole, vessel.shape, _floats(each[0].words))
+        place = _within(whole, vessel.shape, each[0].words.noun in FLOATING)
         found = [
             [place.of_copy(Placement.of(1.0, turn)).of_copy(copy) for copy in copies]
             for copies in own
@@ -117,10 +123,6 @@ def _around(
     verts = torch.cat([place.out(body.verts) for body, own in pairs for place in own])
     fit = training_size(verts)
     return [[place.then(*fit) for place in own] for own in places]
-
-
-def _floats(words: "object") -> bool:
-    return getattr(words, "noun", "") in FLOATING
 
 
 def _turned(body: Body) -> Float[Tensor, "3 3"]:
@@ -188,38 +190,72 @@ def _inner_radius(shape: Shape) -> float:
 
 
 def _packed(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
-    """Each at the lowest free place, like balls that fell into the vessel."""
+    """A heap in the vessel, of things as large as they all fit."""
+    room = _Room(shape)
     pieces = _pieces(bodies)
-    free = _free_places(shape, 20000, 0.0)
-    sides = torch.stack([shape.room.mesh(0.1)[0].amin(0), shape.room.mesh(0.1)[0].amax(0)])
-    volume = float((sides[1] - sides[0]).prod()) * len(free) / 20000
-    radius = (PACKED * volume / len(pieces) * 3 / (4 * math.pi)) ** (1 / 3)
+    boxes = sum(float(bodies[k].sides.prod()) / bodies[k].longest ** 3 for k in pieces)
+    longest = min((PACKED * room.volume / boxes) ** (1 / 3), LONGEST * room.width)
+    while True:
+        found = _dropped(bodies, pieces, room, longest)
+        if found is not None:
+            return found
+        longest *= SMALLER
+
+
+def _dropped(
+    bodies: Sequence[Body], pieces: Sequence[int], room: "_Room", longest: float
+) -> list[list[Placement]] | None:
+    """Each of the pieces at its lowest place on those before it; None where one has no room."""
     generator = torch.Generator().manual_seed(0)
     found: list[list[Placement]] = [[] for _ in bodies]
-    taken = torch.zeros(0, 3)
-    open_places = free[shape.free(free) < -radius - GAP]
+    heights = room.floor
     for k in pieces:
-        near = torch.cdist(open_places, taken).amin(1) if len(taken) else torch.full(
-            (len(open_places),), math.inf
-        )
-        reach = min(2 * radius, float(near.max()))
-        allowed = open_places[near >= reach]
-        at = allowed[allowed[:, 2].argmin()]
-        taken = torch.cat([taken, at[None]])
-        found[k].append(_tumbled(bodies[k], at, radius, generator))
+        best, top = None, math.inf
+        for _ in range(TRIES):
+            place = _tumbled(bodies[k], longest / bodies[k].longest, room, generator)
+            points = place.out(_some(bodies[k].verts))
+            cell = cells_of(points, room.low[:2], room.sides[:2], CELLS)
+            drop = float((heights[cell[:, 0], cell[:, 1]] - points[:, 2]).max()) - TOUCHING
+            points[:, 2] += drop
+            if math.isfinite(drop) and float(points[:, 2].max()) < top and room.has(points):
+                best = place.moved(torch.tensor([0.0, 0.0, drop]))
+                top = float(points[:, 2].max())
+        if best is None:
+            return None
+        found[k].append(best)
+        verts = best.out(bodies[k].verts)
+        heights = torch.maximum(heights, highest(verts, room.low[:2], room.sides[:2], CELLS))
     return found
 
 
+class _Room:
+    """The room in a vessel, by its box and the height of its floor."""
+
+    def __init__(self, shape: Shape) -> None:
+        verts = shape.room.mesh(0.1)[0].float()
+        self.shape, self.low, self.sides = shape, verts.amin(0), verts.amax(0) - verts.amin(0)
+        middles = (torch.arange(CELLS) + 0.5) / CELLS
+        nodes = torch.stack(torch.meshgrid(middles, middles, middles, indexing="ij"), -1)
+        free = shape.free((self.low + nodes * self.sides).view(-1, 3)).view(*nodes.shape[:3]) < 0
+        lowest = self.low[2] + free.float().argmax(2) / CELLS * self.sides[2]
+        self.floor = lowest.masked_fill(~free.any(2), math.inf)
+        self.volume = float(self.sides.prod() * free.float().mean())
+        self.width = float(self.sides[:2].min())
+
+    def has(self, points: Float[Tensor, "n 3"]) -> bool:
+        """Whether the points are in it, or a little in its wall."""
+        return float(self.shape.free(points).max()) < SUNK
+
+
 def _tumbled(
-    body: Body, at: Float[Tensor, " 3"], radius: float, generator: torch.Generator
+    body: Body, scale: float, room: _Room, generator: torch.Generator
 ) -> Placement:
-    """A thing lying around a point, tilted by chance, in a ball of the radius."""
-    lean, about, before = torch.rand(3, generator=generator).tolist()
+    """A thing that lies over a random place of the room, tilted by chance."""
+    lean, about, before, x, y = torch.rand(5, generator=generator).tolist()
     turn = about_z(2 * math.pi * about) @ about_x(TILT * (2 * lean - 1))
     turn = turn @ about_z(2 * math.pi * before) @ laid_down(body, 1.5)
-    middle = body.box.mean(0)
-    scale = radius / float((body.verts - middle).norm(dim=1).max())
-    return Placement(scale, at - scale * turn @ middle, turn)
+    at = room.low + torch.tensor([x, y, 0.0]) * room.sides
+    return Placement(scale, at - scale * turn @ body.box.mean(0), turn)
 
 
 def _hovering(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
@@ -238,7 +274,3 @@ def _hovering(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
         found[k].append(Placement(scale, at - scale * turn @ middle, turn))
     return found
 
-
-def as_vessel(solid: object) -> Vessel | None:
-    """The vessel that a thing's solid is, or None."""
-    return solid if isinstance(solid, Vessel) else None

@@ -19,6 +19,7 @@ from core.geometry.union import room_within
 from core.guidance.builtin.composition.placement import Z_TO_X
 
 WALL = 0.055  # of glass
+PLATE = 0.012  # over a neck's end
 EASED = 6  # sides of a rounded corner of a profile
 CORK = 0.9  # of a neck's radius
 FLAKES, FLAKE = 16, 0.03
@@ -170,12 +171,15 @@ def _tank(high: float) -> Shape:
 
 def _turned(glass: str, walls: Profile, parts: Mapping[str, Sequence[Primitive]]) -> Shape:
     """A vessel whose glass is turned about the axis, closed at both ends."""
-    ends = [(0.0, walls[0][1], 0.0), *walls]
-    if walls[-1][0] > 0:
-        ends.append((0.0, walls[-1][1], 0.0))
+    has_neck = walls[-1][0] > 0
+    ends = [(0.0, walls[0][1], 0.0), *walls, *([(0.0, walls[-1][1], 0.0)] if has_neck else [])]
     outer = _eased(ends)
     solid = Primitive("turned", np.zeros(3), UPRIGHT, outer.ravel())
-    room = Primitive("turned", np.zeros(3), UPRIGHT, room_within(outer, WALL).ravel())
+    inner = room_within(outer, WALL)
+    # A neck is closed by its cork, not by a plate of glass.
+    if has_neck:
+        inner[inner[:, 1] > walls[-1][1] - 1.5 * WALL, 1] = walls[-1][1] - PLATE
+    room = Primitive("turned", np.zeros(3), UPRIGHT, inner.ravel())
     return Shape(glass, {glass: [solid], **parts}, room)
 
 

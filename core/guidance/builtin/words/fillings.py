@@ -4,6 +4,7 @@ Standard library only.
 """
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
@@ -19,7 +20,7 @@ from core.guidance.builtin.words.count_words import (
     SEVERAL,
 )
 from core.guidance.builtin.words.counts import is_many, named_singly, set_counts_apart
-from core.guidance.builtin.words.glassware import IN_A_JAR, PRINTED, VESSELS, may_enclose
+from core.guidance.builtin.words.glassware import PRINTED, VESSELS, filling_of, may_enclose
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.sizes import usual
@@ -124,8 +125,8 @@ def filling(words: Words, phrase: str, container: str) -> Words | None:
     """The visible amount of a container's content; None: it is too large, or a meal."""
     noun = words.noun
     if container in VESSELS:
-        many = named(phrase).is_many and words.count == 1 and noun not in IN_ONE_HEAP
-        return replace(words, count=IN_A_JAR, order="heap") if many else words
+        many = named(phrase).is_many and noun not in SEVERAL
+        return filling_of(words, many) if many or words.count > 1 else words
     flower = noun in known_as.FLOWERS
     if not flower and words.usual()[0] > LARGEST * usual(container)[0]:
         return None
@@ -137,6 +138,13 @@ def filling(words: Words, phrase: str, container: str) -> Words | None:
         return words
     few = flower or (is_creature(noun) and noun not in FISH)
     return replace(words, count=GROWING if few else CONTAINED, order="heap")
+
+
+def in_a_vessel(words: Words, phrase: str, others: Iterable[tuple[str, str]]) -> Words:
+    """Several things as they fill the vessel that they are in, if it is among the ``others``, of
+    which it is the relation and the noun: "fireflies in a jar"."""
+    vessel = next((noun for how, noun in others if how == "in" and noun in VESSELS), "")
+    return filling(words, phrase, vessel) or words if vessel else words
 
 
 def portion(noun: str, phrase: str) -> str:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.accents import Accent
 from core.guidance.builtin.words.companion_openers import Relation
+from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.slots import Words
 
 # The part that is of glass, and parts that it goes without where something is inside.
@@ -28,13 +29,29 @@ FLOATING = frozenset(
     """brain eyeball jellyfish fish clownfish koi shark octopus squid seahorse whale dolphin bee
     butterfly dragonfly ghost cloud heart planet earth star sun bat snowflake""".split()
 ) | {"full moon", "sea turtle"}
+EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
 BOATS = frozenset(
     """boat sailboat canoe rowboat speedboat longship yacht raft submarine""".split()
 ) | {"pirate ship", "cargo ship", "cruise ship"}
 PRINTED = ("bottle", "potion")  # "with stars": these are on it
 NOT_IN = frozenset("sunflower tulip rose flower spoon fork whisk spatula straw candle".split())
 SMALL_MOUTH = ("bottle", "jar", "flask", "potion")  # flowers are in them as in a vase
-IN_A_JAR = 12  # things that fill one
+# What fills one: things that lie on one another; what floats; what stands on the bottom.
+LYING, HOVERING, STANDING = 12, 6, 3
+SMALL = 0.12  # metres: longer things stand
+BLURRED = ("frosted glass", "stained glass", "tinted glass", "smoked glass", "smoky glass")
+CLEAR = "vessel glass"
+
+
+def filling_of(words: Words, many: bool) -> Words:
+    """Several of a thing as they fill a vessel; ``many``: in no stated number."""
+    noun = words.noun
+    growing = any(noun in GROUPS[group] for group in ("Plants", "Buildings", "Furniture"))
+    stands = growing or is_creature(noun) or words.usual()[0] > SMALL
+    lies = noun in EDIBLE or not stands
+    usual = HOVERING if noun in FLOATING else LYING if lies else STANDING
+    count = usual if many and words.count == 1 else words.count
+    return replace(words, count=count, order="heap" if usual != STANDING else "row")
 
 
 def lies_in(vessel: str, content: str) -> bool:
@@ -42,9 +59,10 @@ def lies_in(vessel: str, content: str) -> bool:
     return vessel == "bottle" and content in BOATS
 
 
-def is_vessel(noun: str) -> bool:
-    """Whether it is such a vessel."""
-    return noun in VESSELS
+def outermost(words: Words) -> Words:
+    """The vessel that the thing is in, or else the thing."""
+    around = (one.words for one in words.companions if one.relation == "in")
+    return next((one for one in around if one.noun in VESSELS), words)
 
 
 def may_enclose(vessel: str, content: str) -> bool:
@@ -60,12 +78,14 @@ def glazed(words: Words, relations: Iterable[Relation], encloses: bool) -> Words
     if words.noun not in VESSELS or not (encloses or "bears" in relations):
         return words
     glass, gone = VESSELS[words.noun]
-    form = words.material_form if words.material == "glass" else "glass"
+    form = words.material_form if words.material_form in BLURRED else CLEAR
     own = [one for one in words.accents if one.part == glass]
     color = (words.color, words.color_form or words.color) if _is_main(words.noun) else ("", "")
     accent = own[0] if own else Accent(glass, *color)
     accent = accent._replace(material="glass", material_form=form)
     accents = (accent, *(one for one in words.accents if one.part != glass))
+    if words.noun == "bottle" and "cap" not in {one.part for one in accents}:
+        accents = (*accents, Accent("cap", material="wooden", material_form="wooden"))
     plain = {"material": "", "material_form": ""} if words.material == "glass" else {}
     return replace(words, accents=accents, absent=(*words.absent, *gone), **plain)
 

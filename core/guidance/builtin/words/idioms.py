@@ -13,6 +13,7 @@ _IDIOMS = {
     r"pack of (?:playing )?cards": "deck of cards",
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
+    r"jelly ?beans": "pink eggs",
     # A ship's bottle has one with sails in it.
     r"(?<!pirate )(?<!cargo )(?<!cruise )(?<!sailing )(?<!tall )ship"
     r"(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": "sailing ship",
