@@ -29,6 +29,7 @@ from core.guidance.builtin.composition.poses import in_poses
 from core.guidance.builtin.composition.posing import in_one, points_of, seen_from
 from core.guidance.builtin.composition.sitting import seated
 from core.guidance.builtin.composition.thing import Thing
+from core.guidance.builtin.surfaces import unseen
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
 
@@ -136,7 +137,12 @@ class Composed(PromptedGuidance):
         known = [_known(thing.area_fields()) for thing in self.made.things]
         drawn = composed_field([one.drawn for one in known], self.made.places)
         near = composed_field([one.near for one in known], self.made.places)
-        each = tuple(area for one in known for area in one.each)
+        hidden = self.made.contents
+        each = tuple(
+            unseen(area) if k in hidden else area
+            for k, one in enumerate(known)
+            for area in one.each
+        )
         return SolidAreas(drawn, each, near, composed_heights(known, self.made.places))
 
     def ranges(self) -> MaterialRanges:

@@ -20,8 +20,8 @@ from core.guidance.builtin.composition.placement import (
     laid_down,
     training_size,
 )
-from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.composition.resting import cells_of, highest
+from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.composition.vessel import vessel_of
 from core.guidance.builtin.composition.vessels import Shape, shape_for
 from core.guidance.builtin.words.companions import Relation
@@ -35,11 +35,13 @@ GAP = 0.015  # training units: from the glass
 FILLED = {"standing": 0.94, "floating": 0.8}  # of the largest size that fits
 SUNK = 0.006  # training units: what stands is so deep in the glass; a wall is thicker
 DROP = 0.004  # training units: steps down
-PACKED = 0.5  # of the room: the boxes around the things in a heap
+HEAP = 0.7  # times as high as wide: a vessel for it
+PACKED = 0.9  # of the room: the boxes around the things in a heap
+NEAR_WALL = 0.75  # of that: how near the middle of one is to a wall
 LONGEST, SMALLER = 0.8, 0.9  # of the room's width; by how much smaller they are, if one has no room
 TILT, TRIES, CELLS = math.radians(30), 60, 40
 TOUCHING = 0.008  # training units: things in a heap overlap
-HOVERING = 0.4  # of the room's radius: the size of each of several
+HOVERING = 0.42  # of the room's radius: the size of each of several
 
 
 class Inside(NamedTuple):
@@ -86,7 +88,9 @@ def enclosed(
     wide, deep, high = whole.sides.tolist()
     lies = lies_in(words.noun, each[0].words.noun) and not several
     across = wide if lies else math.hypot(wide, deep)
-    vessel = vessel_of(words, solid, shape_for(words.noun, 1.0 if several else high / across, lies))
+    vessel = vessel_of(
+        words, solid, shape_for(words.noun, HEAP if several else high / across, lies)
+    )
     things[inside.vessel] = things[inside.vessel].with_solid(vessel)
     bodies[inside.vessel] = vessel.body(words)
     if several and each[0].words.noun in FLOATING:
@@ -247,9 +251,7 @@ class _Room:
         return float(self.shape.free(points).max()) < SUNK
 
 
-def _tumbled(
-    body: Body, scale: float, room: _Room, generator: torch.Generator
-) -> Placement:
+def _tumbled(body: Body, scale: float, room: _Room, generator: torch.Generator) -> Placement:
     """A thing that lies over a random place of the room, tilted by chance."""
     lean, about, before, x, y = torch.rand(5, generator=generator).tolist()
     turn = about_z(2 * math.pi * about) @ about_x(TILT * (2 * lean - 1))
@@ -261,7 +263,7 @@ def _tumbled(
 def _hovering(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
     """Each as far as possible from the others and turned a little."""
     radius = HOVERING * _inner_radius(shape)
-    places = _free_places(shape, 4000, radius + GAP)
+    places = _free_places(shape, 4000, NEAR_WALL * radius + GAP)
     found: list[list[Placement]] = [[] for _ in bodies]
     generator = torch.Generator().manual_seed(1)
     taken = places[:1]
@@ -273,4 +275,3 @@ def _hovering(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
         scale = radius / float((body.verts - middle).norm(dim=1).max())
         found[k].append(Placement(scale, at - scale * turn @ middle, turn))
     return found
-

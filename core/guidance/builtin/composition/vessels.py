@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import torch
 from jaxtyping import Float
-from scipy.spatial.transform import Rotation
 from torch import Tensor
 
 from core.geometry.parts.primitives import Primitive
@@ -121,7 +120,7 @@ def _flakes(middle: float) -> list[Primitive]:
     spread = np.random.default_rng(0).uniform(-1, 1, (16 * FLAKES, 3))
     inside = spread[(np.linalg.norm(spread, axis=1) < 0.9) & (spread[:, 2] > -0.35)]
     return [
-        Primitive("ellipsoid", at + (0, 0, middle), UPRIGHT, np.full(3, FLAKE))
+        Primitive("ellipsoid", at + np.array([0, 0, middle]), UPRIGHT, np.full(3, FLAKE))
         for at in inside[:FLAKES]
     ]
 
