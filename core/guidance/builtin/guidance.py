@@ -112,7 +112,8 @@ class BuiltinGuidance(Guidance):
         pairs = [(one.relation, one.words) for one in words.companions]
         each = [freed(words, pairs), *(other for _, other in pairs)]
         hows = [how for how, _ in pairs]
-        each = [glazed(one, hows, k and hows[k - 1] == "in") for k, one in enumerate(each)]
+        within = [False, *(how == "in" for how in hows)]
+        each = [glazed(one, hows, here) for one, here in zip(each, within, strict=True)]
         things = [PromptedBuiltin(self, one, negative) for one in each]
         return Composed(self, alone, things, [how for how, _ in pairs])
 

@@ -113,6 +113,7 @@ class VesselParts(KnownParts):
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:
         """A solid's surface."""
+        del exact  # it is, always
         component = self.components[index]
         return component.verts, component.faces
 

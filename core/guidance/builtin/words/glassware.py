@@ -38,6 +38,7 @@ NOT_IN = frozenset("sunflower tulip rose flower spoon fork whisk spatula straw c
 SMALL_MOUTH = ("bottle", "jar", "flask", "potion")  # flowers are in them as in a vase
 # What fills one: things that lie on one another; what floats; what stands on the bottom.
 LYING, HOVERING, STANDING = 12, 6, 3
+KG_M3 = 1100.0  # of the glass, thicker here than a real wall, and of what is in it
 SMALL = 0.12  # metres: longer things stand
 BLURRED = ("frosted glass", "stained glass", "tinted glass", "smoked glass", "smoky glass")
 CLEAR = "vessel glass"
@@ -59,10 +60,15 @@ def lies_in(vessel: str, content: str) -> bool:
     return vessel == "bottle" and content in BOATS
 
 
-def outermost(words: Words) -> Words:
-    """The vessel that the thing is in, or else the thing."""
+def usual_of_whole(words: Words) -> tuple[float, float]:
+    """The usual size in metres, and the density in kg/m³, of a vessel with what is in it, or else
+    of the thing."""
     around = (one.words for one in words.companions if one.relation == "in")
-    return next((one for one in around if one.noun in VESSELS), words)
+    vessel = next((one for one in around if one.noun in VESSELS), None)
+    holds = any(one.relation == "bears" for one in words.companions)
+    if vessel is None and holds and words.noun in VESSELS:
+        vessel = words
+    return words.usual() if vessel is None else (vessel.usual()[0], KG_M3)
 
 
 def may_enclose(vessel: str, content: str) -> bool:

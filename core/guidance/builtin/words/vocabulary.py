@@ -27,7 +27,7 @@ from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.fillings import in_a_vessel
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
-from core.guidance.builtin.words.glassware import outermost
+from core.guidance.builtin.words.glassware import usual_of_whole
 from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
@@ -89,7 +89,7 @@ def understood(
     """
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
-    usual_m, density = outermost(words).usual()
+    usual_m, density = usual_of_whole(words)
     size_m, side = words.size or (usual_m, "length")
     return {
         "prompt": prompt,
