@@ -178,7 +178,7 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
         "cloche, bell jar, glass cloche, glass bell jar, glass bell, bell glass, display dome, "
         "domed glass, glass display dome",
         {"base": "*5b3420 grain", "glass": "-b9ddea . glass"},
-        Usual(0.35, GLASS, 0.2),
+        Usual(0.35, GLASS, 0.04),
         solid="snow globe",
     ),
     "snow globe": Noun(

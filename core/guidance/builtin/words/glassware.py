@@ -24,12 +24,14 @@ VESSELS: dict[str, tuple[str, tuple[str, ...]]] = {
     "glass dome": ("glass", ()),
     "aquarium": ("water", ("fish", "plants", "lid")),
 }
+PICKLED = frozenset(("cucumber", "seashell", "acorn", "boulder"))  # these lie in a heap too
 # These float or fly.
 FLOATING = frozenset(
     """brain eyeball jellyfish fish clownfish koi shark octopus squid seahorse whale dolphin bee
     butterfly dragonfly ghost cloud heart planet earth star sun bat snowflake""".split()
 ) | {"full moon", "sea turtle"}
-EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"])
+EDIBLE = frozenset(GROUPS["Food"]) | frozenset(GROUPS["Fruit and Vegetables"]) | PICKLED
+UPRIGHT = ("Plants", "Buildings", "Furniture")
 BOATS = frozenset(
     """boat sailboat canoe rowboat speedboat longship yacht raft submarine""".split()
 ) | {"pirate ship", "cargo ship", "cruise ship"}
@@ -47,7 +49,7 @@ CLEAR = "vessel glass"
 def filling_of(words: Words, many: bool) -> Words:
     """Several of a thing as they fill a vessel; ``many``: in no stated number."""
     noun = words.noun
-    growing = any(noun in GROUPS[group] for group in ("Plants", "Buildings", "Furniture"))
+    growing = noun not in EDIBLE and any(noun in GROUPS[group] for group in UPRIGHT)
     stands = growing or is_creature(noun) or words.usual()[0] > SMALL
     lies = noun in EDIBLE or not stands
     usual = HOVERING if noun in FLOATING else LYING if lies else STANDING
