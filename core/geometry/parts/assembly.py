@@ -59,6 +59,8 @@ NEAR = 0.1  # training units
 CLEAR, BLADED = 0.06, 0.7
 ENDLESS = "wall", "blade", "pipes"  # without ends across an axis
 STRUT = 0.03  # radius, training units
+# Of what is inside others: faces from which there are fewer, so far off, training units.
+MANY_FACES, OFF = 300_000, 3e-4
 SETTLED, SETTLED_OFF = 2, 1e-3  # steps onto a surface; how far off it is still on it
 
 
@@ -328,7 +330,8 @@ def assembled(
         return drop_floaters(*union(meshes, STRUT), floaters)
     inside = {index for own in parts.enclosed for index in own}
     groups = [[k for k in range(len(meshes)) if k not in inside], *parts.enclosed]
-    made = [union([meshes[k] for k in own], STRUT) for own in groups]
+    many = sum(len(meshes[k][1]) for k in inside) > MANY_FACES
+    made = [union([meshes[k] for k in own], STRUT, OFF * many) for own in groups]
     return union([drop_floaters(*one, floaters, rooms=True) for one in made], 0.0)
 
 

@@ -36,7 +36,7 @@ BOATS = frozenset(
     """boat sailboat canoe rowboat speedboat longship yacht raft submarine""".split()
 ) | {"pirate ship", "cargo ship", "cruise ship"}
 PRINTED = ("bottle", "potion")  # "with stars": these are on it
-NOT_IN = frozenset("sunflower tulip rose flower spoon fork whisk spatula straw candle".split())
+NOT_IN = frozenset("sunflower tulip rose flower spoon fork whisk spatula straw".split())
 SMALL_MOUTH = ("bottle", "jar", "flask", "potion")  # flowers are in them as in a vase
 # What fills one: things that lie on one another; what floats; what stands on the bottom.
 LYING, HOVERING, STANDING = 12, 6, 3
@@ -77,7 +77,8 @@ def may_enclose(vessel: str, content: str) -> bool:
     """Whether the vessel may have the content in it: not what it is of, nor another vessel."""
     if vessel not in VESSELS or content in VESSELS or content in GROUPS["Clothes"]:
         return False
-    return not (vessel in SMALL_MOUTH and content in NOT_IN)
+    lit = vessel == "bottle" and content == "candle"  # it is in the neck
+    return not (lit or (vessel in SMALL_MOUTH and content in NOT_IN))
 
 
 def glazed(words: Words, relations: Iterable[Relation], encloses: bool) -> Words:
