@@ -17,6 +17,7 @@ from core.guidance.builtin.composition.vessels import shape_for
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.surfaces import surface_of
+from core.guidance.builtin.words.colors import color_value
 from core.guidance.builtin.words.glassware import CLEAR, VESSELS, glazed
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse, understood
@@ -184,6 +185,7 @@ def test_glass_around_something_is_clear_and_keeps_a_stated_colour(prompt, green
     (body,) = (part for part in painted("jar", words) if part.name == "body")
     surface = surface_of(words, body)
     assert body.material_form == CLEAR and surface.clear == 1.0 and surface.glow == 0
-    assert min(surface.factor) >= 1.0, "lighter, as light goes through four surfaces"
-    assert (body.color[1] > 1.5 * body.color[0]) == green
+    assert surface.factor == (1.0, 1.0, 1.0) or not green
+    stated = color_value("green")
+    assert (stated[2] + 0.2 < body.color[2] < body.color[1] - 0.1) == green, "pale green"
     assert "label" in words.absent

@@ -25,8 +25,6 @@ PALE, PALE_DEPTH = (0.6, 0.9), 0.35
 WHITE = 0.8  # luma of a part painted by nature, such as a window's frame
 GLOSS = 0.03  # range of a part's roughness around its finish's
 SHADE = 0.06  # range of each channel of a part's colour, sRGB
-TINT = 0.35  # of a colour's depth, at each of the four surfaces of a vessel of coloured glass
-DARK = 0.01  # least linear factor's divisor
 SMOOTH = 0.05  # how much smoother clear glass is than the finish
 
 
@@ -61,8 +59,6 @@ def _as_new(words: Words, part: Painted) -> Surface:
     # A stated colour is painted as it is; else the wider word's own colour becomes the variant's.
     if wanted and not part.colored:
         factor = _factor(part.color, wanted)
-    elif part.colored and variant.clear == ALL_CLEAR:
-        factor = _factor(part.color, tuple(1 - TINT * (1 - x) for x in part.color))
     roughness = 0.0 if variant.roughness is None else variant.roughness - finish.roughness
     depth = _depth(part.color) if part.colored and variant.kind == "wooden" else 1.0
     return Surface(
@@ -125,7 +121,7 @@ def _by_nature(noun: str, part: Painted) -> str:
 def _factor(known: Color, wanted: Color) -> Color:
     """The linear factor from ``known`` to ``wanted`` (sRGB)."""
     before, after = srgb_to_linear(torch.tensor([known, wanted]))
-    red, green, blue = (after / before.clamp_min(DARK)).tolist()
+    red, green, blue = (after / before).tolist()
     return red, green, blue
 
 

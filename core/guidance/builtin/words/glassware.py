@@ -44,6 +44,7 @@ KG_M3 = 1100.0  # of the glass, thicker here than a real wall, and of what is in
 SMALL = 0.12  # metres: longer things stand
 BLURRED = ("frosted glass", "stained glass", "tinted glass", "smoked glass", "smoky glass")
 CLEAR = "vessel glass"
+PALE = "pale"
 
 
 def filling_of(words: Words, many: bool) -> Words:
@@ -89,8 +90,10 @@ def glazed(words: Words, relations: Iterable[Relation], encloses: bool) -> Words
     glass, gone = VESSELS[words.noun]
     form = words.material_form if words.material_form in BLURRED else CLEAR
     own = [one for one in words.accents if one.part == glass]
-    color = (words.color, words.color_form or words.color) if _is_main(words.noun) else ("", "")
+    color = (words.color, words.color_form) if _is_main(words.noun) else ("", "")
     accent = own[0] if own else Accent(glass, *color)
+    if accent.color:  # light goes through it four times
+        accent = accent._replace(color_form=f"{PALE} {accent.color_form or accent.color}")
     accent = accent._replace(material="glass", material_form=form)
     accents = (accent, *(one for one in words.accents if one.part != glass))
     if words.noun == "bottle" and "cap" not in {one.part for one in accents}:
