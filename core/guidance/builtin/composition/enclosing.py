@@ -39,6 +39,7 @@ HEAP = 0.5  # times as high as wide: a vessel for it
 PACKED = 0.9  # of the room: the boxes around the things in a heap
 NEAR_WALL = 0.75  # of that: how near the middle of one is to a wall
 LONGEST, SMALLER = 0.8, 0.9  # of the room's width; by how much smaller they are, if one has no room
+ATTEMPTS = 16  # at smaller and smaller sizes
 TILT, TRIES, CELLS = math.radians(30), 60, 40
 TOUCHING = 0.008  # training units: things in a heap overlap
 HOVERING = 0.42  # of the room's radius: the size of each of several
@@ -72,6 +73,7 @@ def enclosed(
     vessel is cut to the others."""
     each = [bodies[k] for k in inside.contents]
     heap = any(body.words.order == "heap" for body in each)
+    heap |= len(each) > 1 and not inside.vessel
     several = heap and sum(body.words.count for body in each) > 1
     own = (
         [copies_of(body) for body in each]
@@ -156,7 +158,7 @@ def _within(whole: Body, shape: Shape, floats: bool) -> Placement:
         scale = (least + most) / 2
         least, most = (scale, most) if any(fits(scale, z) for z in levels) else (least, scale)
     scale = FILLED["floating" if floats else "standing"] * least
-    good = [z for z in levels if fits(scale, z)]
+    good = [z for z in levels if fits(scale, z)] or [levels[LEVELS // 2]]
     level = (good[0] + good[-1]) / 2 if floats else good[0]
     while not floats and float(_out(shape, scale * points + spot, level).max()) < SUNK:
         level -= DROP
@@ -199,11 +201,12 @@ def _packed(bodies: Sequence[Body], shape: Shape) -> list[list[Placement]]:
     pieces = _pieces(bodies)
     boxes = sum(float(bodies[k].sides.prod()) / bodies[k].longest ** 3 for k in pieces)
     longest = min((PACKED * room.volume / boxes) ** (1 / 3), LONGEST * room.width)
-    while True:
+    for _ in range(ATTEMPTS):
         found = _dropped(bodies, pieces, room, longest)
         if found is not None:
             return found
         longest *= SMALLER
+    return _hovering(bodies, shape)
 
 
 def _dropped(
@@ -241,7 +244,7 @@ class _Room:
         middles = (torch.arange(CELLS) + 0.5) / CELLS
         nodes = torch.stack(torch.meshgrid(middles, middles, middles, indexing="ij"), -1)
         free = shape.free((self.low + nodes * self.sides).view(-1, 3)).view(*nodes.shape[:3]) < 0
-        lowest = self.low[2] + free.float().argmax(2) / CELLS * self.sides[2]
+        lowest = self.low[2] + (free.float().argmax(2) + 0.5) / CELLS * self.sides[2]
         self.floor = lowest.masked_fill(~free.any(2), math.inf)
         self.volume = float(self.sides.prod() * free.float().mean())
         self.width = float(self.sides[:2].min())

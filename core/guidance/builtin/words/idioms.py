@@ -18,6 +18,7 @@ _IDIOMS = {
     r"(?<!pirate )(?<!cargo )(?<!cruise )(?<!sailing )(?<!tall )ship"
     r"(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": "sailing ship",
     r"(?<=bottle with a )ship": "sailing ship",
+    r"(?<= in a )(?:clear |hollow )?glass (?:sphere|ball|orb)": "crystal ball",
     r"(?:message|letter|note)(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": (
         "scroll"
     ),
