@@ -129,9 +129,13 @@ def signed_volume(verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"]) -> flo
 
 
 def drop_floaters(
-    verts: Float[Tensor, "v 3"], faces: Int[Tensor, "f 3"], keep_ratio: float = 0.05
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    keep_ratio: float = 0.05,
+    rooms: bool = False,
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """The mesh without its small components, and without the walls of voids that no one can see.
+    """The mesh without its small components, and without the walls of voids that no one can see;
+    ``rooms``: one looks through what is around these.
 
     A component stays if its area is at least ``keep_ratio`` of the largest's. One turned inside
     out, where the largest looks outward, is the wall of a void: marching tets makes no others.
@@ -145,7 +149,7 @@ def drop_floaters(
     a, b, c = (v - v.mean(0))[faces].unbind(1)
     volume = v.new_zeros(count).index_add_(0, label, (a * torch.linalg.cross(b, c)).sum(1))
     keep = area >= keep_ratio * area.max()
-    if volume[area.argmax()] > 0:
+    if volume[area.argmax()] > 0 and not rooms:
         keep &= volume > 0
     return compact(verts, faces[keep[label]])
 

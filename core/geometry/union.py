@@ -22,13 +22,14 @@ WHOLE = 1 - 1e-6  # of a mesh's volume: nothing is cut off
 
 
 def union(
-    meshes: Sequence[tuple[Tensor, Tensor]], strut: float
+    meshes: Sequence[tuple[Tensor, Tensor]], strut: float, off: float = 0.0
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """All of ``meshes`` (vertices, faces), closed and facing outwards, as one; what does not touch
     is joined.
 
     Args:
         strut: radius of the capsules between components that do not touch; 0 leaves them apart.
+        off: how far a surface of fewer faces may be off; 0: all faces stay.
     """
     whole = manifold3d.Manifold.batch_boolean([_solid(*m) for m in meshes], manifold3d.OpType.Add)
     for _ in range(MOST_STRUTS if strut else 0):
@@ -39,7 +40,7 @@ def union(
             break
         for ends in struts(_verts(components[0]), np.concatenate([*map(_verts, components[1:])])):
             whole = whole + _capsule(*ends, strut)
-    made = whole.to_mesh()
+    made = (whole.simplify(off) if off else whole).to_mesh()
     verts, faces = made.vert_properties[:, :3], made.tri_verts.astype(np.int64)
     first, _ = meshes[0]
     return torch.from_numpy(np.array(verts)).to(first), torch.from_numpy(faces).to(first.device)
@@ -204,6 +205,17 @@ def inset(loops: Loops, by: float) -> list[Float[np.ndarray, "_ 2"]]:
     """An outline narrower by so much on each side, its corners as they are."""
     made = _outline(loops).offset(-by, manifold3d.JoinType.Miter)
     return [np.array(loop) for loop in made.to_polygons()]
+
+
+def room_within(profile: Float[np.ndarray, "k 2"], wall: float) -> Float[np.ndarray, "_ 2"]:
+    """The profile of the room that a turned solid of this profile is around, where it is hollow and
+    its wall so thick; both of radius and height, counter-clockwise."""
+    across = np.concatenate([profile, (profile * (-1, 1))[::-1]])
+    low, high = profile[:, 1].min(), profile[:, 1].max()
+    half = manifold3d.CrossSection.square([float(profile[:, 0].max()), float(high - low)])
+    made = _outline([across]).offset(-wall, manifold3d.JoinType.Miter)
+    loops = (made ^ half.translate((0.0, float(low)))).to_polygons()
+    return np.array(max(loops, key=len))
 
 
 def _outline(loops: Loops) -> manifold3d.CrossSection:

@@ -164,7 +164,6 @@ def test_four_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
         "a plate of pancakes",
         "a plate with a fried egg",
         "a candle in a lantern",
-        "a ship in a bottle",
         "a robot resembling a dog",
         "a dog chasing its tail",
         "a man wearing red shoes",

@@ -264,6 +264,6 @@ def set_up_cycles(scene: bpy.types.Scene, size: int = 640, samples: int | None =
     cycles.use_denoising = denoise
     if denoise:  # high quality is a network twice as large: 8 of a chair's 24 s, hardly to be seen
         cycles.denoising_quality = "HIGH" if samples else "BALANCED"
-    cycles.max_bounces = 6
+    cycles.max_bounces = 14  # a wall of glass has two surfaces, and a jar two walls
     view.view_transform = "Standard"  # AgX would shift the material's own colours
     view.look, view.exposure, view.gamma = "None", 0.0, 1.0

@@ -8,7 +8,7 @@ axis (:mod:`core.geometry.revolved`), or flat outlines one upon another
 over all of them rounds what is smaller than a cell, and each border between two parts is ragged.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
@@ -59,6 +59,8 @@ NEAR = 0.1  # training units
 CLEAR, BLADED = 0.06, 0.7
 ENDLESS = "wall", "blade", "pipes"  # without ends across an axis
 STRUT = 0.03  # radius, training units
+# Of what is inside others: faces from which there are fewer, so far off, training units.
+MANY_FACES, OFF = 300_000, 3e-4
 SETTLED, SETTLED_OFF = 2, 1e-3  # steps onto a surface; how far off it is still on it
 
 
@@ -108,6 +110,12 @@ class KnownParts:
             component._replace(primitive=one and self._thinned(one, component.place.part))
             for component, one in zip(known, even, strict=True)
         ]
+
+    @property
+    def enclosed(self) -> Sequence[Sequence[int]]:
+        """The components of each object that is in a room within others, which it need not
+        touch."""
+        return ()
 
     def _thinned(self, one: Primitive, part: int) -> Primitive:
         """As thick as the real part is."""
@@ -318,7 +326,13 @@ def assembled(
         meshes.append(parts.surface_of(index, exact))
     if not meshes:
         return None
-    return drop_floaters(*union(meshes, STRUT), floaters)
+    if not parts.enclosed:
+        return drop_floaters(*union(meshes, STRUT), floaters)
+    inside = {index for own in parts.enclosed for index in own}
+    groups = [[k for k in range(len(meshes)) if k not in inside], *parts.enclosed]
+    many = sum(len(meshes[k][1]) for k in inside) > MANY_FACES
+    made = [union([meshes[k] for k in own], STRUT, OFF * many) for own in groups]
+    return union([drop_floaters(*one, floaters, rooms=True) for one in made], 0.0)
 
 
 def thinned_by(parts: KnownParts) -> float:

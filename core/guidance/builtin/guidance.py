@@ -47,6 +47,7 @@ from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
+from core.guidance.builtin.words.glassware import glazed
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.vocabulary import parse
@@ -108,6 +109,9 @@ class BuiltinGuidance(Guidance):
             return alone
         pairs = [(one.relation, one.words) for one in words.companions]
         each = [freed(words, pairs), *(other for _, other in pairs)]
+        hows = [how for how, _ in pairs]
+        within = [False, *(how == "in" for how in hows)]
+        each = [glazed(one, hows, here) for one, here in zip(each, within, strict=True)]
         things = [PromptedBuiltin(self, one, negative) for one in each]
         return Composed(self, alone, things, [how for how, _ in pairs])
 

@@ -14,6 +14,7 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
+from core.guidance.builtin.composition.vessel import Vessel
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
@@ -75,6 +76,8 @@ class PaintedSolid:
         """Its parts; a part that an adjective makes oval is not round."""
         noun = self.words.noun
         flat, around, least = part_forms_table()[noun]
+        if isinstance(self.solid, Vessel):
+            return self.solid.known
         if isinstance(self.solid, Garment):  # it has its wearer's form
             soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
             return KnownParts(self.solid.distances, soft)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from core.errors import UserError
+from core.guidance.builtin.words.glassware import usual_of_whole
 from core.guidance.builtin.words.measures import set_apart
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
@@ -14,7 +15,7 @@ def usual_of(prompt: str) -> tuple[float, float]:
     # With a noun first: "a grey rock" is a boulder only where it has to be a thing.
     for noun_needed in (True, False):
         try:
-            return parse(prompt, noun_needed=noun_needed, ignore_unknown=True).usual()
+            return usual_of_whole(parse(prompt, noun_needed=noun_needed, ignore_unknown=True))
         except UserError:  # such as two nouns
             continue
     return Words().usual()

@@ -7,10 +7,10 @@ import torch
 from core.appearance.material_ranges import MaterialRanges
 from core.guidance.builtin.palette import FINISHES, Finish, Painted, darker, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
-from core.guidance.builtin.variants import BUILDINGS, VARIANTS, Variant, split_tone
+from core.guidance.builtin.variants import ALL_CLEAR, BUILDINGS, VARIANTS, Variant, split_tone
 from core.guidance.builtin.words.colors import Color, luma, toned
 from core.guidance.builtin.words.slots import Words
-from core.guidance.guidance import Surface
+from core.guidance.guidance import Area, Surface
 from core.ops import srgb_to_linear
 
 # Roughness by the word; for a metal at least that of a polished one.
@@ -81,7 +81,7 @@ def _depth(color: Color) -> float:
 
 def _lit(noun: str, part: Painted, new: Surface) -> Surface:
     """``new`` with its glow and transmission by nature; for glass, also where that is stated."""
-    if part.material and not new.clear:
+    if (part.material and not new.clear) or new.clear == ALL_CLEAR:
         return new
     glow, clear = lights(noun, part.name, new.kind)
     # Clear glass is smooth, so that it does not blur.
@@ -133,6 +133,19 @@ def ranges_of(finish: Finish, color: Color | None) -> MaterialRanges:
     metallic = (finish.metallic, finish.metallic)
     if color is None:
         return MaterialRanges((low, high), metallic)
+    return MaterialRanges((low, high), metallic, shades_of(color))
+
+
+def unseen(area: Area) -> Area:
+    """An area that no picture shows: of one colour, as no other could be learnt."""
+    if area.ranges.color is not None:
+        return area
+    ranges = area.ranges._replace(color=shades_of(area.surface.color))
+    return area._replace(plain=True, ranges=ranges)
+
+
+def shades_of(color: Color) -> tuple[Color, Color]:
+    """The least and the greatest linear colour around one, sRGB."""
     around = torch.tensor(color) + torch.tensor([[-SHADE], [SHADE]])
     least, most = srgb_to_linear(around.clamp(0, 1)).tolist()
-    return MaterialRanges((low, high), metallic, (tuple(least), tuple(most)))
+    return tuple(least), tuple(most)

@@ -19,6 +19,8 @@ class Variant(NamedTuple):
     glow: float = 0.0  # emitted fraction of the colour
 
 
+ALL_CLEAR = 1.0  # one looks through it at what is inside
+
 _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     # of wooden
     "oak, oak wood": Variant("wooden", (0.66, 0.48, 0.29)),
@@ -138,6 +140,7 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     ),
     # of stone
     "glass": Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
+    "vessel glass": Variant("glass", (0.97, 0.985, 0.985), 0.03, ALL_CLEAR),
     # of glass: the colour is that of a wall
     "glassy, glass like, clear glass, crystal glass, crystalline, of crystal": Variant(
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95

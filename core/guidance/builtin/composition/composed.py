@@ -23,11 +23,13 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.arranged import arranged
 from core.guidance.builtin.composition.clothing import dressed
+from core.guidance.builtin.composition.enclosing import enclosed, inside_of
 from core.guidance.builtin.composition.placement import Body, Placement
 from core.guidance.builtin.composition.poses import in_poses
 from core.guidance.builtin.composition.posing import in_one, points_of, seen_from
 from core.guidance.builtin.composition.sitting import seated
 from core.guidance.builtin.composition.thing import Thing
+from core.guidance.builtin.surfaces import unseen
 from core.guidance.builtin.words.companions import Relation
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
 
@@ -49,6 +51,7 @@ class Made(NamedTuple):
     places: Sequence[Sequence[Placement]]  # of the copies of each
     size_m: float  # of the whole's longest side, metres
     unfit: Sequence[str] = ()  # notes on garments that do not fit and poses that it cannot have
+    contents: Sequence[int] = ()  # indices of the things that are in a vessel
 
 
 class Composed(PromptedGuidance):
@@ -86,14 +89,20 @@ class Composed(PromptedGuidance):
         drawn = list(compress(drawn, [True, *fits]))
         bodies = list(compress(bodies, [True, *fits]))
         relations = list(compress(self.relations, fits))
-        places = arranged(bodies[0], list(zip(relations, bodies[1:], strict=True)))
+        inside = inside_of(bodies, relations)
+        if inside:
+            drawn, bodies, places = enclosed(drawn, bodies, relations, inside)
+        else:
+            places = arranged(bodies[0], list(zip(relations, bodies[1:], strict=True)))
         each = zip(bodies, places, strict=True)
         verts = torch.cat([place.out(body.verts) for body, own in each for place in own])
         sides = verts.amax(0) - verts.amin(0)
-        size_m = float(sides.max()) * bodies[0].metres / places[0][0].scale
+        of_size = inside.vessel if inside else 0
+        size_m = float(sides.max()) * bodies[of_size].metres / places[of_size][0].scale
         others = zip(self.things[1:], fits, strict=True)
         unfit = [f"{thing.words.noun}: {UNFIT}" for thing, fit in others if not fit]
-        return self._with(self.alone, Made(drawn, places, size_m, [*unfit, *unposed]))
+        contents = inside.contents if inside else ()
+        return self._with(self.alone, Made(drawn, places, size_m, [*unfit, *unposed], contents))
 
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "Composed":
         """The first thing alone: a guide has one thing."""
@@ -128,7 +137,12 @@ class Composed(PromptedGuidance):
         known = [_known(thing.area_fields()) for thing in self.made.things]
         drawn = composed_field([one.drawn for one in known], self.made.places)
         near = composed_field([one.near for one in known], self.made.places)
-        each = tuple(area for one in known for area in one.each)
+        hidden = self.made.contents
+        each = tuple(
+            unseen(area) if k in hidden else area
+            for k, one in enumerate(known)
+            for area in one.each
+        )
         return SolidAreas(drawn, each, near, composed_heights(known, self.made.places))
 
     def ranges(self) -> MaterialRanges:
@@ -208,7 +222,8 @@ class Composed(PromptedGuidance):
 
     @cached_property
     def _parts(self) -> "ComposedParts":
-        return ComposedParts([(_known(thing.parts()), places) for thing, places in self._placed])
+        pairs = [(_known(thing.parts()), places) for thing, places in self._placed]
+        return ComposedParts(pairs, self.made.contents if self.made else ())
 
 
 def _known(of_drawn: Known | None) -> Known:
@@ -229,8 +244,13 @@ def _put(
 class ComposedParts(KnownParts):
     """The parts of several things, with all copies in their places."""
 
-    def __init__(self, placed: Sequence[tuple[KnownParts, Sequence[Placement]]]) -> None:
-        self.placed = placed
+    def __init__(
+        self,
+        placed: Sequence[tuple[KnownParts, Sequence[Placement]]],
+        contents: Sequence[int] = (),
+    ) -> None:
+        """``contents``: indices of the things that are in a vessel."""
+        self.placed, self.contents = placed, contents
         each = [parts.forms for parts, _ in placed]
         flat = tuple(fraction for forms in each for fraction in forms.flat)
         around = tuple(tuple(x for forms in each for x in forms.round[axis]) for axis in range(3))
@@ -251,6 +271,18 @@ class ComposedParts(KnownParts):
             for component in parts.components * len(places):
                 place = component.place._replace(part=component.place.part + start)
                 found.append(component._replace(place=place))
+        return found
+
+    @cached_property
+    def enclosed(self) -> list[list[int]]:
+        """The components of each copy of what is in a vessel, and of what floats in that."""
+        found, start = [], 0
+        for thing, (parts, places) in enumerate(self.placed):
+            count = len(parts.components)
+            for _ in places:
+                own = [range(count)] if thing in self.contents else parts.enclosed
+                found += [[start + k for k in one] for one in own]
+                start += count
         return found
 
     def surface_of(self, index: int, exact: bool = True) -> tuple[Tensor, Tensor]:

@@ -174,6 +174,13 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
         },
         Usual(0.4, PLASTIC, 0.08),
     ),
+    "glass dome": Noun(
+        "cloche, bell jar, glass cloche, glass bell jar, glass bell, bell glass, display dome, "
+        "domed glass, glass display dome",
+        {"base": "*5b3420 grain", "glass": "-b9ddea . glass"},
+        Usual(0.35, GLASS, 0.04),
+        solid="snow globe",
+    ),
     "snow globe": Noun(
         "snowglobe, snow dome, christmas globe, glass snow globe, winter globe",
         {

@@ -33,7 +33,8 @@ _HOW = (
 _POSTURE = (
     r"(?:[a-z]{3,}ing|sits|stands|lies|sleeps|rests|perched|seated|laid|placed|mounted|balanced|"
     r"curled|parked|set|propped|planted|potted|settled|nestled|tucked|hidden|stuffed|asleep|served|"
-    r"poised|stranded|dozing|stuck|embedded|lodged|stabbed|plunged|driven|thrust|buried)"
+    r"poised|stranded|dozing|stuck|embedded|lodged|stabbed|plunged|driven|thrust|buried|trapped|sealed|preserved|suspended|captured|imprisoned|enclosed|encased|"
+    r"floating)"
 )
 _DOING = (
     rf"(?:(?:[a-z]{{3,}}ly )?(?:(?P<first>{_POSTURE})(?: {_HOW})* )?"
@@ -68,6 +69,10 @@ _TO_ANOTHER = (
     r"representing|looking|using|wearing|following)\b)[a-z]{3,}ing "
     r"(?=(?:an?|the|his|her|their|another|two|three|some) )"
 )
+UNDER_GLASS = (
+    r"(?:under|underneath|beneath|below) (?=(?:an? |the |its )?(?:[\w-]+ ){0,3}"
+    r"(?:dome|cloche|bell jar)(?![\w-]))"
+)
 _DRIVING = ("rowing", "paddling", "piloting", "steering")
 _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     (
@@ -97,6 +102,7 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
     ("beside", rf"{_BEING}(?P<verb>{_TOWARDS}) ", False),
     ("beside", rf"{_BEING}(?P<verb>{_TO_ANOTHER})", False),
     ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),
+    ("in", rf"{_BEING}{_DOING}{UNDER_GLASS}", True),
     ("wears", r"with ", True),
     ("wears", rf"(?<=,) (?:and )?{_GARMENT}", True),
 )

@@ -7,6 +7,7 @@ import re
 
 from core.guidance.builtin.nouns import GROUPS, NOUNS
 from core.guidance.builtin.words.companion_openers import Relation
+from core.guidance.builtin.words.glassware import may_enclose
 from core.guidance.builtin.words.living import is_animal, is_creature, is_somebody
 from core.guidance.builtin.words.part_names import owns
 from core.guidance.builtin.words.sizes import usual
@@ -199,7 +200,8 @@ def may_contain(other: str, first: str) -> bool:
     potted = other in VESSELS and owns(first, "pot")
     if first in POINTED and other in PIERCED:
         return True
-    return other in CONTAINERS and not is_building(first) and not potted
+    within = other in CONTAINERS and not is_building(first) and not potted
+    return within or may_enclose(other, first)
 
 
 def may_hold_within(other: str, first: str) -> bool:

@@ -4,12 +4,13 @@ Standard library only.
 """
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
 from core.guidance.builtin.words import companion_words as known_as
-from core.guidance.builtin.words.companion_openers import named_in
+from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.contents import FOOD
 from core.guidance.builtin.words.count_words import (
     CONTAINED,
@@ -19,6 +20,7 @@ from core.guidance.builtin.words.count_words import (
     SEVERAL,
 )
 from core.guidance.builtin.words.counts import is_many, named_singly, set_counts_apart
+from core.guidance.builtin.words.glassware import PRINTED, VESSELS, filling_of, may_enclose
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.sizes import usual
@@ -73,6 +75,8 @@ def may_fill(container: str, way: str, phrase: str) -> bool:
     """Whether it is in the container, not printed on it."""
     if named_in(phrase) in known_as.FLOWERS and container in known_as.VESSELS:
         return True
+    if container in VESSELS:
+        return may_be_full_of(container, way, phrase)
     if container == PLATE and named_in(phrase) in FOOD:  # then the food is the thing
         return False
     sure = way.lower() in SURELY or " " in way
@@ -81,6 +85,15 @@ def may_fill(container: str, way: str, phrase: str) -> bool:
         and fills(phrase)
         and (sure or not known_as.is_pictured(container))
     )
+
+
+def may_be_full_of(vessel: str, way: str, phrase: str) -> bool:
+    """Whether a glass vessel has several of these in it: a jar of cookies, no bottle of apple
+    juice."""
+    noun = named_in(phrase)
+    many = named(phrase).is_many or noun in SEVERAL
+    sure = way.lower() in SURELY or " " in way or vessel not in PRINTED
+    return many and sure and ends_in_name(phrase, noun) and may_enclose(vessel, noun)
 
 
 def length(noun: str, phrase: str) -> float:
@@ -104,12 +117,16 @@ def may_hold(container: str, phrase: str) -> bool:
     fits = bool(noun) and length(noun, phrase) <= LARGEST * usual(container)[0]
     fits &= not known_as.is_building(noun)
     within = container in known_as.CONTAINERS and (fits or fills(phrase.strip()))
+    within |= bool(noun) and may_enclose(container, noun)
     return within or known_as.may_hold_within(noun, container)
 
 
 def filling(words: Words, phrase: str, container: str) -> Words | None:
     """The visible amount of a container's content; None: it is too large, or a meal."""
     noun = words.noun
+    if container in VESSELS:
+        many = named(phrase).is_many and noun not in SEVERAL
+        return filling_of(words, many) if many or words.count > 1 else words
     flower = noun in known_as.FLOWERS
     if not flower and words.usual()[0] > LARGEST * usual(container)[0]:
         return None
@@ -121,6 +138,13 @@ def filling(words: Words, phrase: str, container: str) -> Words | None:
         return words
     few = flower or (is_creature(noun) and noun not in FISH)
     return replace(words, count=GROWING if few else CONTAINED, order="heap")
+
+
+def in_a_vessel(words: Words, phrase: str, others: Iterable[tuple[str, str]]) -> Words:
+    """Several things as they fill the vessel that they are in, if it is among the ``others``, of
+    which it is the relation and the noun: "fireflies in a jar"."""
+    vessel = next((noun for how, noun in others if how == "in" and noun in VESSELS), "")
+    return filling(words, phrase, vessel) or words if vessel else words
 
 
 def portion(noun: str, phrase: str) -> str:

@@ -13,6 +13,16 @@ _IDIOMS = {
     r"pack of (?:playing )?cards": "deck of cards",
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
+    r"jelly ?beans": "pink eggs",
+    # A ship's bottle has one with sails in it.
+    r"(?<!pirate )(?<!cargo )(?<!cruise )(?<!sailing )(?<!tall )ship"
+    r"(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": "sailing ship",
+    r"(?<=bottle with a )ship": "sailing ship",
+    r"(?<= in a )(?:clear |hollow )?glass (?:sphere|ball|orb)": "crystal ball",
+    r"(?:message|letter|note)(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": (
+        "scroll"
+    ),
+    r"(?<=bottle with a )(?:message|letter|note)": "scroll",
     rf"mushroom with (?:an? )?{_DOOR}(?: and (?:an? )?{_DOOR})?": "mushroom house",
 }
 _PATTERNS = {re.compile(rf"\b{idiom}\b", re.IGNORECASE): meant for idiom, meant in _IDIOMS.items()}

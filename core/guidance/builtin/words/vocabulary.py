@@ -25,8 +25,10 @@ from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, companions_in
 from core.guidance.builtin.words.cuts import cut_of, in_cut_words
 from core.guidance.builtin.words.emblems import emblems_in, plural
+from core.guidance.builtin.words.fillings import in_a_vessel
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
+from core.guidance.builtin.words.glassware import usual_of_whole
 from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
@@ -90,7 +92,7 @@ def understood(
     """
     known = offered_words() if known is None else known
     words = parse(prompt, known=known, ignore_unknown=ignore_unknown)
-    usual_m, density = words.usual()
+    usual_m, density = usual_of_whole(words)
     size_m, side = words.size or (usual_m, "length")
     return {
         "prompt": prompt,
@@ -256,7 +258,8 @@ def _parsed(
             words = _parse_alone(rest, True, known, ignore_unknown)
         except UserError:  # the rest is not a prompt by itself
             return _parse_alone(prompt, True, known, ignore_unknown)
-        return with_companions(words, companions)
+        others = [(one.relation, one.words.noun) for one in companions]
+        return with_companions(in_a_vessel(words, rest, others), companions)
     return _parse_alone(prompt, True, known, ignore_unknown)
 
 
