@@ -204,7 +204,10 @@ def test_seams_are_a_shade_of_a_narrower_wood_too(prompt, wood):
         torch.testing.assert_close(is_of, color, atol=1e-4, rtol=0)
 
 
-@pytest.mark.parametrize(("prompt", "there"), [("a barrel", True), ("a rusty barrel", False)])
+@pytest.mark.parametrize(
+    ("prompt", "there"),
+    [pytest.param("a barrel", True, marks=pytest.mark.slow), ("a rusty barrel", False)],
+)
 def test_what_is_drawn_has_seams_where_it_is_of_wood(prompt, there):
     fields = shipped_prior().prompted(prompt, "").of_object(0).area_fields()
     assert fields

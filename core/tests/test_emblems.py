@@ -339,7 +339,11 @@ def test_what_is_denied_takes_its_markings_with_it():
 
 
 @pytest.mark.parametrize(
-    ("prompt", "there"), [("a kettlebell", True), ("a kettlebell that says GO", False)]
+    ("prompt", "there"),
+    [
+        pytest.param("a kettlebell", True, marks=pytest.mark.slow),
+        ("a kettlebell that says GO", False),
+    ],
 )
 def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
     prompted = shipped_prior().prompted(prompt, "").of_object(0)
@@ -365,7 +369,14 @@ def test_a_stated_number_is_where_the_things_own_is():
     assert (one | two).float().mean() < 1.5 * one.float().mean()
 
 
-@pytest.mark.parametrize("more", ["the number 7 on its side", "a white number 7", "the text 12345"])
+@pytest.mark.parametrize(
+    "more",
+    [
+        pytest.param("the number 7 on its side", marks=pytest.mark.slow),
+        pytest.param("a white number 7", marks=pytest.mark.slow),
+        "the text 12345",
+    ],
+)
 def test_a_number_that_is_not_the_things_own_is_written_anew(more):
     painted = shipped_prior().prompted(f"a race car with {more}", "").of_object(0).painted
     assert not painted.number and len(painted.emblems) == 1

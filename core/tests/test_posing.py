@@ -199,7 +199,14 @@ def test_who_stands_is_as_before():
     assert not any(isinstance(thing, Posed) for thing in guidance.made.things)
 
 
-@pytest.mark.parametrize("who", ["a king", "a queen", "a witch"])
+@pytest.mark.parametrize(
+    "who",
+    [
+        pytest.param("a king", marks=pytest.mark.slow),
+        pytest.param("a queen", marks=pytest.mark.slow),
+        "a witch",
+    ],
+)
 def test_in_a_robe_one_is_as_deep_in_a_throne_as_if_one_sat(who: str):
     guidance = composed(f"{who} on a throne")
     sitter, throne = (

@@ -121,17 +121,6 @@ HUNG = frozenset(
     ).split(", ")
 )
 # Things on these are pictures.
-PICTURED = frozenset(
-    (
-        "mug, teacup, teapot, jug, kettle, shield, rug, poster, book, plate, bottle, jar, potion, "
-        "can, crate, barrel, sack, pillow, clipboard, notice board, curtain, envelope, coin, "
-        "cardboard box, vase, bowl, goblet, skateboard, surfboard, snowboard, vinyl record, "
-        "scroll, phone, towel, paper cup, gift, lantern, signpost, stop sign, traffic light, "
-        "mirror, picture frame, clock, easel, door, window, wall, milk carton, chocolate bar, "
-        "map pin, poker chip, toilet paper, ring, tombstone, notebook"
-    ).split(", ")
-)
-_PICTURED_GROUPS = ("Flags and Signs", "Clothes", "Electronics")
 ALSO_DRESSED = ("Food", "Fruit and Vegetables", "Plants")
 _ALSO_DRESSED = frozenset(("robot", "bust", "skull", "rubber duck", "piggy bank", "mech"))
 NO_BEARERS = frozenset(GROUPS["Arms and Fantasy"]) | POINTED | {"staff", "key"}
@@ -166,11 +155,6 @@ def is_dressed(noun: str) -> bool:
         or noun in _ALSO_DRESSED
         or any(noun in GROUPS[group] for group in ALSO_DRESSED)
     )
-
-
-def is_pictured(noun: str) -> bool:
-    """Whether a thing stated to be on it is a picture, a print or a sticker."""
-    return noun in PICTURED or any(noun in GROUPS[group] for group in _PICTURED_GROUPS)
 
 
 def is_building(noun: str) -> bool:

@@ -20,11 +20,12 @@ from core.guidance.builtin.words.companion_openers import (
     openers_in,
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
-from core.guidance.builtin.words.companion_words import is_dressed, is_pictured
+from core.guidance.builtin.words.companion_words import is_dressed
 from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
+from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.tokens import DOING
 from core.guidance.builtin.words.whereabouts import BY_IT, Place, place_of
 

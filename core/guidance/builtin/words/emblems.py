@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
 from core.guidance.builtin.words.companion_openers import named_in
-from core.guidance.builtin.words.companion_words import is_pictured
 from core.guidance.builtin.words.lexicon import LEXICON
+from core.guidance.builtin.words.pictured import is_pictured
 
 MOST = 3  # on one thing
 MOST_LETTERS = 48  # of a text

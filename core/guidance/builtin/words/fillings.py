@@ -23,6 +23,7 @@ from core.guidance.builtin.words.counts import is_many, named_singly, set_counts
 from core.guidance.builtin.words.glassware import PRINTED, VESSELS, filling_of, may_enclose
 from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.tokens import Tokens
@@ -81,9 +82,7 @@ def may_fill(container: str, way: str, phrase: str) -> bool:
         return False
     sure = way.lower() in SURELY or " " in way
     return (
-        container in known_as.CONTAINERS
-        and fills(phrase)
-        and (sure or not known_as.is_pictured(container))
+        container in known_as.CONTAINERS and fills(phrase) and (sure or not is_pictured(container))
     )
 
 

@@ -14,6 +14,7 @@ from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.whereabouts import BY_IT, LAID, STOVES, TOPS, Place, place_of
 
 _COMPUTERS = re.compile(r"\b(?:computer|pc|laptop|monitor|keyboard)s?\b", re.IGNORECASE)
@@ -220,7 +221,7 @@ def _is_read_otherwise(clause: re.Match[str], first: str, parts: list[_Part]) ->
         return True
     if first == PLATE and not several and named_in(last.phrase) in known_as.EDIBLE:
         return True
-    return last.where == "on" and known_as.is_pictured(first) and first not in TOPS
+    return last.where == "on" and is_pictured(first) and first not in TOPS
 
 
 def _may_be_drawn(phrase: str) -> bool:

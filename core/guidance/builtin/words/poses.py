@@ -87,6 +87,14 @@ AS_DRAWN: dict[str, frozenset[str]] = {
     WORDS["flying"]: FLYING,
     "swimming, swims, floating, diving": SWIMMING,
 }
+# Their wings are drawn spread.
+SPREAD = FLYING | {"eagle", "dragon", "pegasus", "griffin", "angel", "fairy", "gargoyle", "demon"}
+_SPREAD_WINGS = re.compile(
+    r",? with (?:(?:its|his|her|their|both) )?(?:(?:wide|fully|big|large|huge) )*"
+    r"(?:(?:spread|open|opened|outspread|outstretched|unfolded|unfurled|extended) wings|"
+    r"wings (?:wide )?(?:spread|open|outstretched|extended|unfurled)(?: wide| out)?)\b",
+    re.IGNORECASE,
+)
 _HIND_LEGS = re.compile(
     r"\b(?:(?:standing|stands|walking|dancing|sitting|up|rearing) )*on (?:(?:its|his|her|their|two|"
     r"the) )*(?:hind|back|rear) legs?\b",
@@ -114,7 +122,9 @@ _OF_THINGS = re.compile(
 
 def in_a_word(noun: str, prompt: str) -> str:
     """The prompt with "rearing" in place of "standing on its hind legs", "kneeling" in place of "on
-    one knee"."""
+    one knee", and without that wings are spread that are drawn so."""
+    if noun in SPREAD:
+        prompt = _SPREAD_WINGS.sub("", prompt)
     if noun in FIGURES:
         return _ON_BACK.sub(lambda found: found["pose"], _ON_KNEES.sub("kneeling", prompt))
     return _HIND_LEGS.sub("rearing", prompt) if noun in FOUR_LEGGED else prompt

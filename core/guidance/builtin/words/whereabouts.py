@@ -12,6 +12,7 @@ from core.guidance.builtin.words.companion_openers import named_in
 from core.guidance.builtin.words.count_words import SEVERAL
 from core.guidance.builtin.words.fillings import PLATE, named
 from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.sizes import usual
 
 # Relative to the first thing, several in a row or in a heap; "": unclear.
@@ -126,7 +127,7 @@ def _in(first: str, noun: str, long: float, is_one: bool) -> Place:
         return "in"
     if first in known_as.DRINKS:
         return "by" if noun in known_as.EDIBLE and is_one else ""
-    if known_as.is_pictured(first):
+    if is_pictured(first):
         fits = noun in known_as.EDIBLE
     else:
         fits = first not in _VEHICLES or noun not in _OF_VEHICLES | _BUILDINGS
