@@ -36,7 +36,7 @@ from core.stages.appearance import learn_appearance
 from core.stages.distill import require_groups
 from core.stages.facing import front_turn
 from core.stages.geometry import assembled_shape, learn_geometry, learns
-from core.stages.lit_scene import picture_of
+from core.stages.lit_scene import picture_of_maps
 from core.stages.lit_shape import lit_shape, take_material
 from core.stages.preview import show_shape, size_of
 from core.stages.reshape import Part, free_verts, reshaped
@@ -61,7 +61,6 @@ from core.stages.texturing import (
 )
 from core.stages.training import Setup
 from core.stages.workload import cpu_notice
-from core.texture.look_up import emission_source, maps_source
 from core.texture.region import Region, edited, read_faces
 
 PREVIEW_SIZE = 512  # pixels, of the asset's picture
@@ -201,7 +200,7 @@ def generate(run: RunFolder, inputs: Inputs, progress: Progress, until: str = ""
     verts = turned(verts, -run.turn) if run.turn else verts
     verts = place(verts, size_of(run, verts)) if generated else back(verts, inputs.shape)
     placed = replace(mesh.mesh, verts=verts)
-    picture = picture_of(maps_source(maps), mesh, light, PREVIEW_SIZE, emission_source(maps))
+    picture = picture_of_maps(maps, mesh, light, PREVIEW_SIZE)
     info = info_of(job, run.timings, guidance.parts())
     return write_asset(run.asset, placed, maps, info, picture)
 
@@ -232,7 +231,7 @@ def reshaped_asset(run: RunFolder, inputs: Inputs) -> Path:
     light = Environment.of(inputs.light, inputs.config.appearance.shading).to(inputs.device)
     seen = UvMesh.of(replace(mesh, verts=normalise(mesh.verts)[0])).to(inputs.device)
     kept = region.kept
-    picture = picture_of(maps_source(kept), seen, light, PREVIEW_SIZE, emission_source(kept))
+    picture = picture_of_maps(kept, seen, light, PREVIEW_SIZE)
     return write_asset(run.asset, mesh, region.kept, info_of(run.job, run.timings), picture)
 
 

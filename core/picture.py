@@ -9,7 +9,8 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.environment import Environment, load_light
-from core.appearance.shaded import UvMesh, render_shaded, surface_at
+from core.appearance.seen_through import render_clear
+from core.appearance.shaded import UvMesh, surface_at
 from core.camera import Cameras
 from core.errors import UserError
 from core.geometry.mesh import normalise
@@ -21,7 +22,7 @@ from core.render.antialias import antialias
 from core.render.normals import render_normals
 from core.render.rasterizer import rasterize, scatter
 from core.stages.preview import over_grey
-from core.texture.look_up import emission_source, maps_source
+from core.texture.look_up import emission_source, maps_source, transmission_source
 
 MAPS = ("shaded", "normal", "base_color", "roughness", "metallic", "mask")
 FRAMING = 3.0  # training units: the distance that shows the whole asset
@@ -95,9 +96,9 @@ def _draw(
     source = maps_source(asset.maps)
     if map == "shaded":
         environment = Environment.of(load_light(light))
-        emission = emission_source(asset.maps)
-        shaded = render_shaded(mesh, source, cameras, size, environment, emission=emission)
-        return srgb_to_linear(shaded.srgb[0]), shaded.o[0]
+        emission, clear = emission_source(asset.maps), transmission_source(asset.maps)
+        seen = render_clear(mesh, source, clear, cameras, size, environment, emission)
+        return srgb_to_linear(seen.srgb[0]), seen.o[0]
     # A map alone, without light: the material's values, antialiased together with their coverage.
     fragments = rasterize(mesh.verts, mesh.faces, cameras.mvp, size, size, cull=mesh.closed)
     surface = surface_at(mesh, fragments, cameras)

@@ -9,14 +9,17 @@ from torch import Tensor
 
 from core.appearance.environment import Environment
 from core.appearance.material import MaterialNet
+from core.appearance.seen_through import TransmissionSource, render_clear
 from core.appearance.shaded import EmissionSource, MaterialSource, Shaded, UvMesh, render_shaded
 from core.camera import Cameras
 from core.device import sent
 from core.guidance.guidance import PromptedGuidance, Views, coarse_latent
+from core.io.maps import Maps
 from core.io.run_folder import RunFolder
 from core.ranks import ALONE, Ranks
 from core.stages.preview import SIZE, VIEW, over_grey, show_color
 from core.stages.scene import Scene, gather
+from core.texture.look_up import emission_source, maps_source, transmission_source
 
 SMOOTH_REACH = 0.01  # training units: how far apart "neighbouring points" are
 
@@ -116,8 +119,17 @@ def picture_of(
     environment: Environment,
     size: int = SIZE,
     emission: EmissionSource | None = None,
+    transmission: TransmissionSource | None = None,
 ) -> UInt8[np.ndarray, "{size} {size} 3"]:
     """The asset from a fixed side, as it is lit."""
     cameras = Cameras.orbit(**VIEW).to(mesh.verts.device)
-    shaded = render_shaded(mesh, source, cameras, size, environment, emission=emission)
-    return over_grey(shaded.srgb[0], shaded.o[0])
+    seen = render_clear(mesh, source, transmission, cameras, size, environment, emission)
+    return over_grey(seen.srgb[0], seen.o[0])
+
+
+def picture_of_maps(
+    maps: Maps, mesh: UvMesh, environment: Environment, size: int
+) -> UInt8[np.ndarray, "{size} {size} 3"]:
+    """The finished asset from the same side: what glows does, and one looks through glass."""
+    glows, clear = emission_source(maps), transmission_source(maps)
+    return picture_of(maps_source(maps), mesh, environment, size, glows, clear)

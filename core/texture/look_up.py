@@ -5,6 +5,7 @@ from jaxtyping import Float
 from torch import Tensor
 
 from core.appearance.material import Material
+from core.appearance.seen_through import TransmissionSource
 from core.appearance.shaded import EmissionSource, MaterialSource
 from core.io.maps import EMISSION_STRENGTH, Maps
 from core.ops import normalize
@@ -15,6 +16,14 @@ def emission_source(maps: Maps) -> EmissionSource | None:
     if maps.emission is None:
         return None
     stack = EMISSION_STRENGTH * maps.emission.permute(2, 0, 1)[None]
+    return lambda uv: _sampled(stack, uv)
+
+
+def transmission_source(maps: Maps) -> TransmissionSource | None:
+    """The maps' transmission, by uv; None: nothing is clear."""
+    if maps.transmission is None:
+        return None
+    stack = maps.transmission.permute(2, 0, 1)[None]
     return lambda uv: _sampled(stack, uv)
 
 
