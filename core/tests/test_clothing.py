@@ -51,7 +51,7 @@ def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
         ("a penguin", True, True),
         ("a robot", True, True),
         ("a cat", False, True),
-        ("a snake", True, False),
+        pytest.param("a snake", True, False, marks=pytest.mark.slow),
         pytest.param("a shark", False, False, marks=pytest.mark.slow),
         pytest.param("a teddy bear", True, False, marks=pytest.mark.slow),
         pytest.param("a monkey", True, False, marks=pytest.mark.slow),
@@ -178,6 +178,10 @@ def test_shoes_are_on_each_foot_and_do_not_fit_a_fish():
     assert component_labels(faces, len(verts))[0] == 2
     assert float(verts[:, 2].amax()) < measured("a robot").crotch
     assert worn_by("a shark", "boot") is None
+
+
+@pytest.mark.slow
+def test_of_clothes_that_do_not_fit_the_others_are_worn_and_it_is_reported():
     found = composed("a shark wearing boots and a crown")
     assert [thing.words.noun for thing in found.made.things] == ["shark", "crown"]
     assert "boot: left out, as the thing has no place for it." in found.left_out()

@@ -50,7 +50,9 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     assert (areas.of(top) < len(looks("cat"))).all()
 
 
-@pytest.mark.parametrize("prompt", ["a cat on a table", "a mouse on a rug"])
+@pytest.mark.parametrize(
+    "prompt", ["a cat on a table", pytest.param("a mouse on a rug", marks=pytest.mark.slow)]
+)
 def test_what_stands_on_a_thin_top_touches_it(prompt):
     parts = composed(prompt).parts()
     assert isinstance(parts, ComposedParts)
@@ -76,7 +78,7 @@ def test_far_from_a_thing_its_network_is_not_asked():
     assert far[0] > 3
 
 
-@pytest.mark.parametrize("negative", ["", "red"])
+@pytest.mark.parametrize("negative", [pytest.param("", marks=pytest.mark.slow), "red"])
 def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
     prompted = shipped_prior().prompted("a cat on a red cushion", negative)
     drawn = prompted.of_object(0)

@@ -147,6 +147,7 @@ def test_the_circles_of_a_closed_curve_turn_evenly():
     assert np.abs(turns - turns.mean()).max() < 1e-3
 
 
+@pytest.mark.slow
 def test_a_small_wing_is_no_pipe_that_winds_over_it():
     dragon = shipped_prior().prompted("a dragon with huge wings", "").of_object(1).parts()
     assert dragon is not None

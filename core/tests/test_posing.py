@@ -195,8 +195,6 @@ def test_short_legs_are_straight_before_who_sits():
 def test_who_stands_is_as_before():
     guidance = composed("a ninja standing on a chair")
     assert not any(isinstance(thing, Posed) for thing in guidance.made.things)
-    guidance = composed("a cat on a red cushion")
-    assert not any(isinstance(thing, Posed) for thing in guidance.made.things)
 
 
 @pytest.mark.parametrize(
@@ -218,6 +216,7 @@ def test_in_a_robe_one_is_as_deep_in_a_throne_as_if_one_sat(who: str):
     assert float(sitter.box[0, 1]) < float(throne.of_parts("cushion")[:, 1].amin())
 
 
+@pytest.mark.slow
 def test_a_skirt_is_before_the_seat_that_it_is_sunk_in():
     guidance = composed("a woman in a red dress sitting on a chair")
     assert not any(isinstance(thing, Posed) for thing in guidance.made.things)

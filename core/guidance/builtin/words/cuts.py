@@ -16,6 +16,7 @@ _BITES = r"(?:(?:an?|one|two|three|some|several|big|large|huge|small|little|miss
 _OUT_OF_IT = r"(?: (?:out of|out|from|off|in|into|of)\b(?: (?:it|its side|one side|the side))?)?"
 _GONE = r"(?:missing|gone|removed|taken|cut|sliced|eaten)"
 _SLICE = r"(?:(?:an?|one|the|its|single|large|big|small) )*(?:missing )?(?:slice|wedge|piece)s?"
+_NOT_HALVED = "(?!dozen|met(?:re|er)|inch|foot|yard|mile|kilo|cent|pound|ton)"
 # Phrases, and the words for them that are looked for behind a thing's name.
 _PHRASES = {
     rf",? ?\b(?:with|that has|has|having|missing|minus) {_BITES}(?: marks?)?(?: (?:that )?(?:is )?"
@@ -26,7 +27,7 @@ _PHRASES = {
     r"\b(?:nibbled(?: on)?|(?:a )?(?:bit|partially) eaten)\b": "bitten",
     r"(?:,? ?\b(?:that is|which is) )?\b(?:cut|sliced|chopped|split|divided)(?: open)?"
     r" (?:in|into|in to) (?:half|halves|two)\b": " halved",
-    r"^\s*(?:an?|one) half (?:of )?(?=an? )|^\s*half (?:of )?(?=an? (?!dozen))": "halved ",
+    rf"^\s*(?:an?|one) half (?:of )?(?=an? )|^\s*half (?:of )?(?=an? {_NOT_HALVED})": "halved ",
 }
 # Of these alone: "a table with a missing piece" is another thing.
 _SLICED = re.compile(

@@ -43,7 +43,7 @@ LYING, HOVERING, STANDING = 12, 6, 3
 KG_M3 = 1100.0  # of the glass, thicker here than a real wall, and of what is in it
 SMALL = 0.12  # metres: longer things stand
 BLURRED = ("frosted glass", "stained glass", "tinted glass", "smoked glass", "smoky glass")
-CLEAR = "vessel glass"
+CLEAR = "clear glass"
 PALE = "pale"
 
 

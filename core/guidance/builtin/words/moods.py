@@ -16,6 +16,7 @@ Mood = Literal["", "happy", "sad", "angry", "sleepy", "surprised"]
 
 MOODS: tuple[Mood, ...] = ("happy", "sad", "angry", "sleepy", "surprised")
 EYES = "eyes"
+CARVED = ("jack-o-lantern",)  # its face is of its own
 ALSO_FACED = frozenset(
     "tooth bone starfish jellyfish brain hand".split()
 )  # and all lifeless things
@@ -86,7 +87,7 @@ def has_face(noun: str) -> bool:
 def mood_in(noun: str, prompt: str) -> tuple[Mooded, str]:
     """The mood of the thing in a prompt about it alone, and the prompt without its words."""
     faced = has_face(noun)
-    if not noun or (not faced and is_creature(noun) and noun not in ALSO_FACED):
+    if not noun or noun in CARVED or (not faced and is_creature(noun) and noun not in ALSO_FACED):
         return Mooded(), prompt
     rest = _as_words(prompt) if faced else _ANY_FACE.sub(" smiling", _as_words(prompt))
     text = re.sub(r"[\W_]+", " ", _NOT_MOODS.sub(" ", rest.lower()))
