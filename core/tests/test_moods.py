@@ -34,6 +34,7 @@ def test_the_mood_of_what_has_eyes(prompt, noun, mood):
         ("a mushroom with a smiling face", "happy face"),
         ("a kawaii cactus", "happy face"),
         ("an apple with an angry face", "angry face"),
+        ("a tree with a scary face", "angry face"),
         ("a sad cloud", "sad face"),
         ("a happy birthday cake", None),
         ("a merry christmas tree", None),

@@ -14,6 +14,8 @@ _IDIOMS = {
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
     r"jelly ?beans": "pink eggs",
+    r"(?<=in )(?:an? )?space ?suits?": "an astronaut costume",
+    r"wearing (?:an? )?space ?suits?": "in an astronaut costume",
     # A ship's bottle has one with sails in it.
     r"(?<!pirate )(?<!cargo )(?<!cruise )(?<!sailing )(?<!tall )ship"
     r"(?= (?:in|inside(?: of)?) (?:an? |the )?(?:[\w-]+ ){0,2}bottle)": "sailing ship",

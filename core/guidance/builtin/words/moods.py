@@ -89,9 +89,12 @@ def mood_in(noun: str, prompt: str) -> tuple[Mooded, str]:
     faced = has_face(noun)
     if not noun or noun in CARVED or (not faced and is_creature(noun) and noun not in ALSO_FACED):
         return Mooded(), prompt
-    rest = _as_words(prompt) if faced else _ANY_FACE.sub(" smiling", _as_words(prompt))
+    rest = _as_words(prompt)
+    states_face = rest != prompt
+    rest = rest if faced else _ANY_FACE.sub(" smiling", rest)
     text = re.sub(r"[\W_]+", " ", _NOT_MOODS.sub(" ", rest.lower()))
-    for table in (_WORDS, _SHOWN) if faced else (_WORDS | {"happy": f"{_WORDS['happy']}, kawaii"},):
+    own = _WORDS if faced else _WORDS | {"happy": f"{_WORDS['happy']}, kawaii"}
+    for table in (own, _SHOWN) if faced or states_face else (own,):
         for mood in MOODS:
             if stated := [word for word in table[mood].split(", ") if says(text, word)]:
                 said = ", ".join(stated)

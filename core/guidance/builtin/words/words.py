@@ -47,7 +47,8 @@ MATERIALS = {
     "aluminium, aluminum, polished steel, stainless steel, stainless, galvanized, galvanised, "
     "galvanized steel, galvanised steel, tin, pewter, titanium, nickel, zinc, wrought iron, "
     "gunmetal, chromed, chrome plated, dark metal, black metal, sterling silver, platinum, "
-    "robotic, mirrored, scrap metal, sheet metal, corrugated metal, corrugated iron, steel mesh, "
+    "robotic, mechanical, mirrored, scrap metal, sheet metal, corrugated metal, "
+    "corrugated iron, steel mesh, "
     "wire mesh, iridescent, holographic",
     "golden": "gold, polished gold, gold plated; gold leaf, gold foil, gilded, brass, "
     "polished brass, rose gold, white gold",
