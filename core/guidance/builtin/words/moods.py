@@ -16,6 +16,7 @@ Mood = Literal["", "happy", "sad", "angry", "sleepy", "surprised"]
 
 MOODS: tuple[Mood, ...] = ("happy", "sad", "angry", "sleepy", "surprised")
 EYES = "eyes"
+FACE_ON = {"mushroom": "stem"}
 CARVED = ("jack-o-lantern",)  # its face is of its own
 ALSO_FACED = frozenset(
     "tooth bone starfish jellyfish brain hand".split()
@@ -73,10 +74,11 @@ class Mooded(NamedTuple):
     mood: Mood = ""
     notes: tuple[str, ...] = ()
     is_drawn: bool = False  # as a face on a thing without eyes
+    on: str = ""  # a part, where it would be lost among spots elsewhere
 
     def face(self) -> tuple[Emblem, ...]:
         """The drawn face."""
-        return (Emblem(shape=f"{self.mood} face"),) if self.is_drawn else ()
+        return (Emblem(shape=f"{self.mood} face", on=self.on),) if self.is_drawn else ()
 
 
 def has_face(noun: str) -> bool:
@@ -101,7 +103,8 @@ def mood_in(noun: str, prompt: str) -> tuple[Mooded, str]:
                 notes = (f"{said}: shown as {mood}.",) if table is _SHOWN else ()
                 words = rf",?\s*(?<![\w-])(?:{'|'.join(stated)})(?![\w-])"
                 rest = re.sub(words, "", rest, flags=re.IGNORECASE)
-                return Mooded(mood, notes, not faced), re.sub(r"\s+", " ", rest).strip()
+                found = Mooded(mood, notes, not faced, FACE_ON.get(noun, ""))
+                return found, re.sub(r"\s+", " ", rest).strip()
     return Mooded(), prompt
 
 
