@@ -142,7 +142,7 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     "glass": Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
     "clear glass": Variant("glass", (0.97, 0.985, 0.985), 0.03, ALL_CLEAR),
     # of glass: the colour is that of a wall
-    "glassy, glass like, clear glass, crystal glass, crystalline, of crystal": Variant(
+    "glassy, glass like, crystal glass, crystalline, of crystal": Variant(
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),
     "transparent, see through, see thru, crystal clear, perspex, plexiglass, plexiglas": (
