@@ -14,6 +14,7 @@ _IDIOMS = {
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
     r"jelly ?beans": "pink eggs",
+    r"(?:jolly roger|pirate) flag": "black flag with a white skull and crossbones",
     r"(?<=in )(?:an? )?space ?suits?": "an astronaut costume",
     r"wearing (?:an? )?space ?suits?": "in an astronaut costume",
     # A ship's bottle has one with sails in it.

@@ -62,8 +62,8 @@ _SMILE = re.compile(
 )
 _NOT_MOODS = re.compile(
     r"\b(?:happy (?:birthday|new year|halloween|christmas|holidays?|easter|meal|hour)|"
-    r"cross looking glass|mad scientist|mad hatter|laughing gas|sad sack|merry christmas|"
-    r"merry[- ]go[- ]round|crying shame|evil eye|mean time|smiley faces?|smileys?)\b",
+    r"cross looking glass|mad (?:scientist|hatter|max)|laughing gas|sad sack|merry christmas|"
+    r"jolly roger|merry[- ]go[- ]round|crying shame|evil eye|mean time|smiley faces?|smileys?)\b",
     re.IGNORECASE,
 )
 
