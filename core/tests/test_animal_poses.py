@@ -326,6 +326,7 @@ def test_who_rears_is_high_on_its_hind_legs():
     assert float(horse.verts.norm(dim=1).max()) == pytest.approx(NORMAL_RADIUS, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_the_legs_of_who_runs_are_apart():
     first, deer = posed("a running deer")
     owner = first.pose.owner(body("a deer").verts)

@@ -104,6 +104,7 @@ def test_what_has_no_eyes_is_dressed_about_its_own_middle():
     assert abs(float(measured("a cactus").neck[0] - body("a cactus").box.mean(0)[0])) < 1e-6
 
 
+@pytest.mark.slow
 def test_a_tail_goes_through():
     points, wearer = body("a monkey").verts, measured("a monkey")
     made = worn_by("a monkey", "shirt")

@@ -109,6 +109,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
                 assert not torch.allclose(of, alone)  # elsewhere it is the other's
 
 
+@pytest.mark.slow
 def test_an_object_is_as_large_as_it_is_with_what_goes_with_it():
     alone = body("a rabbit").usual
     assert 1.1 * alone < composed("a rabbit on a stack of books").size_m() < 3 * alone

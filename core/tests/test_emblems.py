@@ -351,6 +351,7 @@ def test_a_badge_gives_way_to_what_is_asked_for(prompt, there):
     assert (badge in [part for part, *_ in prompted.painted.marked.laid]) is there
 
 
+@pytest.mark.slow
 def test_a_stated_number_is_where_the_things_own_is():
     plain, stated = (
         shipped_prior().prompted(f"a race car{more}", "").of_object(0).painted

@@ -185,6 +185,7 @@ def test_the_legs_of_a_rider_are_on_both_sides_of_the_mount():
     assert float(shins[:, 2].mean()) < float(back)
 
 
+@pytest.mark.slow
 def test_short_legs_are_straight_before_who_sits():
     posed, _, _ = placed("a gnome sitting on a mushroom")
     assert len(posed.pose.bones) == 3
@@ -192,6 +193,7 @@ def test_short_legs_are_straight_before_who_sits():
         assert float((bone.place.turn @ torch.tensor([0.0, 0.0, -1.0]))[1]) < -0.9
 
 
+@pytest.mark.slow
 def test_who_stands_is_as_before():
     guidance = composed("a ninja standing on a chair")
     assert not any(isinstance(thing, Posed) for thing in guidance.made.things)
