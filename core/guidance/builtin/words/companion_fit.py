@@ -11,12 +11,14 @@ from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words.companion_openers import Relation, ends_in_name, named_in
 from core.guidance.builtin.words.companion_words import is_dressed
 from core.guidance.builtin.words.lexicon import Entry
+from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 
 _PLACING = ("on", "in")  # a thing has one of these
+USING = ("using", "uses")
 # Done with a thing in one's hands or under one's feet, or next to it: "playing" a flute or a piano.
-BY_IT_TOO = ("playing", "plays", "play", "using", "uses", "eating", "eats", "reading", "reads")
+BY_IT_TOO = ("playing", "plays", "play", "eating", "eats", "reading", "reads", *USING)
 BY_IT_TOO += ("jumping", "jumps", "leaping", "leaps", "bounding", "vaulting", "hopping")
 _DRIVING = ("driving", "drives", "drive")
 
@@ -77,6 +79,8 @@ def fitting(
     heaped = words.count > 1 and words.order != "row"
     if relation == "in" and words.order == "heap":  # "in a pile of leaves"
         relation = "on"
+    if verb in USING and is_animal(first):  # its mouth would be in it
+        relation = "beside"
     if relation == "holds" and other in known_as.ON_BACKS:
         relation = "wears"
     hats = [one for one in found if one.relation == "wears" and one.words.noun in known_as.HEADWEAR]

@@ -16,7 +16,7 @@ Mood = Literal["", "happy", "sad", "angry", "sleepy", "surprised"]
 
 MOODS: tuple[Mood, ...] = ("happy", "sad", "angry", "sleepy", "surprised")
 EYES = "eyes"
-FACE_ON = {"mushroom": "stem"}
+FACE_ON = {"mushroom": "stem", "tree": "trunk", "oak tree": "trunk"}
 CARVED = ("jack-o-lantern",)  # its face is of its own
 ALSO_FACED = frozenset(
     "tooth bone starfish jellyfish brain hand".split()
