@@ -9,6 +9,7 @@ import torch
 from jaxtyping import Float, Int, UInt8
 from torch import Tensor
 
+from core.appearance.seen_through import GROUND
 from core.camera import Cameras
 from core.geometry.mesh import turned
 from core.guidance.builtin.physical import longest_side
@@ -64,7 +65,7 @@ def over_grey(
     picture: Float[Tensor, "h w 3"], o: Float[Tensor, "h w 1"]
 ) -> UInt8[np.ndarray, "h w 3"]:
     """A picture over black, in [0, 1], put over a light grey instead."""
-    return unit_bytes((picture + (1 - o) * 0.9).detach().cpu())
+    return unit_bytes((picture + (1 - o) * GROUND).detach().cpu())
 
 
 def size_of(run: RunFolder, verts: Float[Tensor, "v 3"]) -> float:

@@ -38,6 +38,9 @@ def test_a_thing_on_what_is_printed_is_a_picture(prompt, thing, picture):
         "a window with a flower pot",
         "a lantern with a candle inside",
         "a cat on a skateboard",
+        "a cat on a skateboard with a hat on its head",
+        "a man in a hoodie with a dog",
+        "a boy wearing a shirt with a backpack",
         "a bottle with a cork",
     ],
 )

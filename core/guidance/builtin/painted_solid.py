@@ -134,9 +134,11 @@ class PaintedSolid:
         drawn = Solid.drawn(self.solid.net, row, torch.Generator().manual_seed(0)).placed()
         other = PaintedSolid(words, drawn)
         colors = [paint.color for paint in other.paints]
-        count = len(colors)
-        area = lambda points: other.shown(points)[:, :count].argmin(1)  # noqa: E731
-        return portrait_of(*drawn.mesh, area, colors)
+
+        def area_of(points: Float[Tensor, "n 3"]) -> Int[Tensor, " n"]:
+            return other.shown(points)[:, : len(colors)].argmin(1)
+
+        return portrait_of(*drawn.mesh, area_of, colors)
 
     @cached_property
     def drawn(self) -> list[Drawn | Overlay]:

@@ -140,8 +140,8 @@ _ROWS: dict[str, Variant] = {  # forms of a material: their variant
     ),
     # of stone
     "glass": Variant("glass", (0.96, 0.98, 0.98), 0.03, 0.95),
-    "clear glass": Variant("glass", (0.97, 0.985, 0.985), 0.03, ALL_CLEAR),
     # of glass: the colour is that of a wall
+    "clear glass": Variant("glass", (0.97, 0.985, 0.985), 0.03, ALL_CLEAR),
     "glassy, glass like, crystal glass, crystalline, of crystal": Variant(
         "glass", (0.96, 0.98, 0.98), 0.03, 0.95
     ),

@@ -209,8 +209,9 @@ _PORTRAIT = _rule(
     rf"(?:(?P<mark>[ -]{_MARK})(?![\w-])|"
     rf"(?=$|[,.;!]| (?!on top(?! of)\b)(?:{_AFTER}|{_MADE})\b))"
 )
-_ON_IT = re.compile(
-    r"(?: {_MADE})?,? (?:on|onto|across) (?:it|the|its|his|her)\b".replace("{_MADE}", _MADE)
+_ON_IT, _ON_ITS = (
+    re.compile(rf"(?: {_MADE})?,? (?:on|onto|across) (?:{what})\b", re.IGNORECASE)
+    for what in ("it", "it|the|its|his|her")
 )
 # Flat things: another one "with" them is a picture.
 _PRINTED = _rule(
@@ -331,14 +332,18 @@ def _portraits(prompt: str) -> Iterator[tuple[Emblem, int, int]]:
         form = match["thing"].lower()
         slot, noun = LEXICON.get(form, ("", ""))
         tail = _TAIL.match(prompt, match.end())
-        printed = _PRINTED.search(prompt[: match.start()])
-        bears = printed or is_pictured(named_in(prompt[: match.start()]))
-        if slot != "noun" or not tail or not bears or form in FLAT_FORMS:
+        if slot != "noun" or not tail or form in FLAT_FORMS:
             continue
+        before = prompt[: match.start()]
+        printed, first = _PRINTED.search(before), is_pictured(named_in(before))
         follows = _BEHIND.match(match[0])
         drawn = match["mark"] or (follows and follows[1]) or re.match(f" {_MADE}", tail[0])
-        on_it = _ON_IT.match(tail[0])
-        if not (drawn or on_it or printed):
+        # "A cat on a skateboard with a hat on its head": that is no picture.
+        if first:
+            given = drawn or printed or _ON_ITS.match(tail[0])
+        else:
+            given = printed and (drawn or _ON_IT.match(tail[0]))
+        if not given:
             continue
         color = _color(match["color"] or tail["color"] or tail["after"])
         yield Emblem("", noun, *color, *_place(tail), is_portrait=True), match.start(), tail.end()

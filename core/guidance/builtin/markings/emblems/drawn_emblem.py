@@ -139,7 +139,11 @@ class Drawn:
             self.bears = [self.on, *(k for k, x in enumerate(paints) if x.look.role == "*")]
         self.bears += range(len(paints), self.count)
         below = paints[self.on]
-        self.paint = _painted(below, emblem, INK if portrait else _color(below.color, emblem))
+        self.paint = (
+            _painted(below, emblem._replace(color=""), INK)
+            if portrait
+            else _painted(below, emblem, _color(below.color, emblem))
+        )
         self._below = below
 
     def layers(self) -> list[Overlay]:
@@ -179,10 +183,8 @@ class Drawn:
         self, distances: Float[Tensor, "n p"], points: Float[Tensor, "n 3"]
     ) -> Float[Tensor, "n q"]:
         """The parts' distances, and the emblem's."""
-        found, margin = distances[:, : self.count].clone(), self._margin(points)
-        below = found[:, self.bears]
-        found[:, self.bears] = torch.maximum(below, margin[:, None])
-        return torch.cat([found, torch.maximum(below.amin(1), -margin)[:, None]], 1)
+        own = Overlay(self._margin, tuple(self.bears), self.on, self.paint)
+        return own(distances[:, : self.count], points)
 
     def _margin(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """How far inside the emblem, training units."""
@@ -235,7 +237,7 @@ def _painted(on: Painted, emblem: Emblem, color: Color) -> Painted:
     paint."""
     look = on.look._replace(role="+", color=color, pattern="")
     own = on._replace(name="emblem", look=look, color=color, second=color, pattern="", tone="")
-    if emblem.color in METALS and color != INK:
+    if emblem.color in METALS:
         return own._replace(
             finish=FINISHES[emblem.color], material=emblem.color, material_form=emblem.color_form
         )
