@@ -23,6 +23,7 @@ from core.geometry.crisp import RIPPLES, crisp
 from core.geometry.faces import bending
 from core.geometry.mesh import drop_floaters, face_areas, signed_volume
 from core.geometry.parts.blade import blade
+from core.geometry.parts.bodywork import bodied
 from core.geometry.parts.components import (
     Component,
     Distances,
@@ -194,13 +195,18 @@ class KnownParts:
     def boxes(self) -> list[Float[Tensor, "2 3"] | None]:
         """The lowest and the highest corner of the box of each part's largest component; None where
         it has no component."""
-        found: list[Float[Tensor, "2 3"] | None] = [None] * len(self.forms.flat)
+        each = self.component_boxes()
+        return [
+            max(own, key=lambda box: float((box[1] - box[0]).norm()), default=None) for own in each
+        ]
+
+    def component_boxes(self) -> list[list[Float[Tensor, "2 3"]]]:
+        """Those of all components of each part."""
+        found: list[list[Float[Tensor, "2 3"]]] = [[] for _ in self.forms.flat]
         for index, component in enumerate(self.components):
             verts, _ = self.surface_of(index)
             box = torch.stack([verts.amin(0), verts.amax(0)]).cpu()
-            before = found[component.place.part]
-            if before is None or (box[1] - box[0]).norm() > (before[1] - before[0]).norm():
-                found[component.place.part] = box
+            found[component.place.part].append(box)
         return found
 
     def surface_of(self, index: int, exact: bool = True) -> Mesh:
@@ -291,16 +297,26 @@ class KnownParts:
                 made = mirrored_mesh(self._surface(mirror.of), mirror.axis)
             else:
                 made = self._in_size(index, *exact_surface(self, component))
+                made = self._bodied(component.place.part, made)
             self._surfaces[index] = made
         return self._surfaces[index]
+
+    def _bodied(self, part: int, made: tuple[Tensor, Tensor]) -> Mesh:
+        """A component's surface with its part's bodywork."""
+        work = self.forms.bodywork.get(part)
+        if work is None:
+            return made
+        of = [k for k, one in enumerate(self.components) if one.place.part == work.wheels]
+        return bodied(made, work.radius, [self._surface(k) for k in of])
 
     def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
         """From a component's exact surface, signed."""
         if mirror := self._mirrored.get(index):
             there = self._distance(mirror.of)
             return lambda points: there(across(points, mirror.axis))
-        primitive = self.components[index].primitive
-        if primitive is not None:
+        component = self.components[index]
+        primitive = component.primitive
+        if primitive is not None and component.place.part not in self.forms.bodywork:
             if (size := self._size(index)) is None:
                 return primitive.distance
             return lambda points: primitive.distance(size.before(points)) * size.least

@@ -1,8 +1,10 @@
 """Prior knowledge of a noun's parts: how flat and how round they are."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
+from core.geometry.parts.bodywork import Bodywork
 from core.geometry.parts.fitting import Faces
 
 LEAST_FLAT = 0.05  # of a part's surface, from which its components may have flat faces
@@ -21,6 +23,7 @@ class Forms(NamedTuple):
     least: Sequence[float] = ()
     # How thick the real part is, by that of what is drawn; (): all as they are drawn.
     slender: Sequence[float] = ()
+    bodywork: Mapping[int, Bodywork] = MappingProxyType({})  # of the parts that get it
 
     def may_be_flat(self, part: int) -> bool:
         """Whether components of the part may have flat faces. The table knows nothing of what is

@@ -12,6 +12,7 @@ from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.forms import Forms
 from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
+from core.guidance.builtin.bodywork import bodywork_of
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
 from core.guidance.builtin.composition.vessel import Vessel
@@ -97,7 +98,7 @@ class PaintedSolid:
         thick = [by * product(PART_WIDTHS, words) for by, words in each]
         stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
         changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
-        forms = Forms(flat, kept, cornered, least, thick)
+        forms = Forms(flat, kept, cornered, least, thick, bodywork_of(noun, names))
         return KnownParts(self.solid.distances, forms, wider, changed)
 
     @cached_property
@@ -190,7 +191,10 @@ class PaintedSolid:
             taken = {self.paints[one.on].name for one in self.emblems if one.has_place}
             gone |= {"badge"} if bearer_of(noun, "badge") in taken else set()
         names = ["" if name in gone else name for name in looks(noun)]
-        return Marked(noun, names, self.parts.boxes() if has_markings(noun) else (), self.number)
+        if not has_markings(noun):
+            return Marked(noun, names, ())
+        boxes, every = self.parts.boxes(), self.parts.component_boxes()
+        return Marked(noun, names, boxes, self.number, every)
 
     @cached_property
     def axes(self) -> tuple[int, ...]:

@@ -35,7 +35,7 @@ BY_NAME = {
     OF_PANE: "frames mullions",
     LOW: "beads blotter boards brows buttons carpet coils foam frieze grip hems land lock_plate"
     " number_plates panels pocket pockets runner sprinkles stitches",
-    SUNK: "breaths display drain fins gaps grille hole holes keyhole mesh nostrils panes port"
+    SUNK: "breaths display drain fins gaps grille hole holes hubs keyhole mesh nostrils panes port"
     " portholes ports racks reels screen slots vents window windows",
     GROOVE: "cracks curls door doors feathers flutes folds fuller furrows gills grill_marks grooves"
     " hatch joints laces lockers mortar pleats quills quilting runes scales scores seam"

@@ -28,12 +28,23 @@ class Laid(NamedTuple):
     on: int
     bearer: int  # the part with a solid below it
     marking: Marking
-    box: Float[Tensor, "2 3"]
+    boxes: Sequence[Float[Tensor, "2 3"]]  # that place it: one, or that of each component
     height: Height
 
     def margin(self, points: Float[Tensor, "n 3"]) -> Margin:
         """How far inside the marking each point is."""
-        low, high = self.box.to(points)
+        if len(self.boxes) == 1:
+            return self._within(self.boxes[0], points)
+        found = torch.empty_like(points[:, 0])
+        away = [outside(points, box.to(points)) for box in self.boxes]
+        nearest = torch.stack(away).argmin(0)
+        for index, box in enumerate(self.boxes):
+            here = (nearest == index).nonzero().squeeze(1)
+            found[here] = self._within(box, points[here])
+        return found
+
+    def _within(self, box: Float[Tensor, "2 3"], points: Float[Tensor, "n 3"]) -> Margin:
+        low, high = box.to(points)
         middle = (low + high) / 2
         if self.marking.paired:
             middle = torch.cat([middle[:1].abs(), middle[1:]])
@@ -50,12 +61,14 @@ class Marked:
         names: Sequence[str],
         boxes: Sequence[Float[Tensor, "2 3"] | None],
         number: str = "",
+        every: Sequence[Sequence[Float[Tensor, "2 3"]]] = (),
     ) -> None:
         """
         Args:
             names: of the noun's parts; "" for those that the object lacks.
             boxes: the lowest and the highest corner of each part; None without a solid.
             number: replaces its usual one.
+            every: the boxes of all components of each part.
         """
         self.laid: list[Laid] = []
         self.bearers = list(range(len(names)))  # by part; the part itself where it has a solid
@@ -68,7 +81,8 @@ class Marked:
                 box = boxes[names.index(by)]
                 if box is not None:
                     part, on, below = (names.index(which) for which in (name, one.on, bearer))
-                    self.laid.append(Laid(part, on, below, one, box, height_of(noun, name)))
+                    own = every[names.index(by)] if one.every and every else [box]
+                    self.laid.append(Laid(part, on, below, one, own, height_of(noun, name)))
                     self.bearers[part] = below
 
     def __call__(
@@ -113,6 +127,12 @@ class Marked:
                 room[one.on] = torch.minimum(below, -margin)
                 found = found + one.height.at(room[one.part])
         return found
+
+
+def outside(points: Float[Tensor, "n 3"], box: Float[Tensor, "2 3"]) -> Float[Tensor, " n"]:
+    """How far outside a box each point is."""
+    low, high = box
+    return torch.maximum(low - points, points - high).clamp_min(0).norm(dim=1)
 
 
 def bearer_of(noun: str, part: str) -> str:

@@ -17,6 +17,7 @@ from core.guidance.builtin.markings.margins import (
 )
 
 SECTORS = 20  # of a dartboard
+HOLE, HOLES = 0.11, 0.6  # of a hub: their radius, and their distance from its middle in its radius
 
 
 def disc(points: Points, half: Half, radius: float) -> Margin:
@@ -140,3 +141,16 @@ def dish_seams(points: Points, half: Half, lean: float = 44.0, count: int = 8) -
     away = torch.hypot(points[:, 0], points[:, 1])
     ring = 0.012 - torch.minimum((away - 0.3 * half[0]).abs(), (away - 0.64 * half[0]).abs())
     return any_of(spokes(points, half, count, 0.012, (0.3, 0.96)), ring)
+
+
+def hub(points: Points, half: Half, radius: float = 0.6, holes: int = 5) -> Margin:
+    """A hub cap on both faces of a wheel, with holes in a ring; ``radius`` in the wheel's."""
+    axle = int(half.argmin())
+    across = [k for k in range(3) if k != axle]
+    size = float(half[across].min())
+    u, v = points[:, across[0]], points[:, across[1]]
+    far = torch.hypot(u, v)
+    turn = torch.atan2(v, u) * (holes / math.tau)
+    aside = (turn - turn.round()) * (math.tau / holes) * far
+    hole = HOLE * size - torch.hypot(aside, far - HOLES * radius * size)
+    return all_of(radius * size - far, -hole, points[:, axle].abs() - half[axle] / 2)

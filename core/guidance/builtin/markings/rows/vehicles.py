@@ -13,6 +13,7 @@ from core.guidance.builtin.markings.forms import (
     lines,
     panes,
     planks,
+    rings,
     stripes,
 )
 from core.guidance.builtin.markings.marking import Marking, Rows
@@ -20,6 +21,7 @@ from core.guidance.builtin.markings.rows.outlines import buses_and_trucks
 from core.guidance.builtin.markings.rows.outlines import vehicles as own
 
 AWNING = tuple((k / 3 - 1.15, k / 3 - 0.98) for k in range(7))
+HUBS = Marking("wheels", rings.hub, every=True)
 VEHICLES: Rows = {
     "school bus": {
         "windows": Marking(
@@ -33,6 +35,7 @@ VEHICLES: Rows = {
         "stripe": Marking("body", partial(bands.belt, low=-0.32, high=-0.2)),
     },
     "bus": {
+        "hubs": HUBS,
         "windows": Marking("body", partial(panes.vehicle_windows, **buses_and_trucks.BUS_WINDOWS)),
         "tail lamps": Marking("body", partial(outlines.laid, **buses_and_trucks.BUS_TAIL)),
         "trim": Marking("body", partial(outlines.laid, **buses_and_trucks.BUS_TRIM)),
@@ -125,9 +128,11 @@ VEHICLES: Rows = {
         "visor": Marking("helmet", partial(outlines.laid, **own.VISOR)),
     },
     "jeep": {
+        "hubs": HUBS,
         "grille": Marking("body", partial(outlines.laid, **own.JEEP_GRILLE)),
     },
     "van": {
+        "hubs": HUBS,
         "windows": Marking("body", partial(panes.vehicle_windows, **own.VAN_WINDOWS)),
         "number plates": Marking("body", partial(outlines.laid, **own.VAN_PLATES)),
         "tail lamps": Marking("body", partial(outlines.laid, **own.VAN_TAIL)),
@@ -139,6 +144,9 @@ VEHICLES: Rows = {
         "trim": Marking("body", partial(outlines.laid, **own.AMBULANCE_TRIM)),
         "cross": Marking("body", badges.kit_on_sides),
     },
+    "camper": {"hubs": HUBS},
+    "cement mixer": {"hubs": HUBS},
+    "forklift": {"hubs": HUBS},
     "golf cart": {
         "lamps": Marking("body", partial(outlines.laid, **own.CART_LAMPS)),
         "trim": Marking("body", partial(outlines.laid, **own.CART_TRIM)),

@@ -10,24 +10,31 @@ from core.guidance.builtin.markings.outlines import (
     number_plate,
 )
 
+
+def _shield(low: float, high: float, below: float, above: float) -> Poly:
+    """A pane across a cabin's end: its heights, and its half widths there."""
+    return Poly(((-below, low), (-above, high), (above, high), (below, low)))
+
+
 CAR_WINDOWS = {
-    "front": (Plate((0, 0.5), (0.63, 0.33), 0.2),),
-    "back": (Plate((0, 0.52), (0.6, 0.3), 0.2),),
+    "front": (_shield(0.2, 0.87, 0.8, 0.66),),
+    "back": (_shield(0.22, 0.85, 0.76, 0.62),),
     "sides": (
-        Poly(((-0.18, 0.2), (0.03, 0.82), (0.19, 0.82), (0.19, 0.2))),
-        Poly(((0.26, 0.2), (0.26, 0.82), (0.44, 0.82), (0.62, 0.2))),
+        Poly(((-0.3, 0.2), (-0.085, 0.85), (0.15, 0.85), (0.15, 0.2))),
+        Poly(((0.21, 0.2), (0.21, 0.85), (0.42, 0.85), (0.63, 0.2))),
     ),
+    "ends": (0.05, 0.42),
 }
 CAR_PLATES = {"front": number_plate(-0.8), "back": number_plate(-0.34)}
-CAR_TAIL = {"back": (Plate((0.7, -0.2), (0.19, 0.12), 0.4, twice=True),)}
+CAR_TAIL = {"back": (Plate((0.62, -0.2), (0.19, 0.11), 0.4, twice=True),)}
 _BUMPER = Plate((0, -0.84), (1.2, 0.16))
 _CAR_FRONT = (
-    Plate((0, -0.44), (0.42, 0.15), 0.5),
-    Cells((0, -0.44), (0.36, 0.1), (5, 1), (0.22, 2), gap=True),
+    Plate((0, -0.4), (0.3, 0.15), 0.4),
+    Cells((0, -0.4), (0.26, 0.11), (1, 3), (2, 0.45), gap=True),
     _BUMPER,
 )
 _CAR_BACK = (
-    Plate((0.7, -0.2), (0.24, 0.17), 0.4, twice=True),
+    Plate((0.62, -0.2), (0.22, 0.15), 0.4, twice=True),
     Plate((0, -0.34), (0.3, 0.17), 0.3),
     _BUMPER,
 )
@@ -38,23 +45,23 @@ _CAR_SIDES = (
     Plate((-0.03, -0.4), (0.27, 0.43), 0.3, 0.011),
     Plate((0.13, -0.1), (0.06, 0.045), 0.9),
 )
-CAR_TRIM = {"front": _CAR_FRONT, "back": _CAR_BACK, "sides": _CAR_SIDES, "aside": 0.9}
+CAR_TRIM = {"front": _CAR_FRONT, "back": _CAR_BACK, "sides": _CAR_SIDES, "aside": 0.72}
 _CHECKS = tuple(
     Cells((0.045 * row, -0.28 - 0.09 * row), (1.035, 0.045), (23, 1), (0.5, 1.0)) for row in (0, 1)
 )
 TAXI_TRIM = CAR_TRIM | {
     "sides": (*_CHECKS, *_CAR_SIDES),
     "back": (
-        Plate((0.7, -0.2), (0.2, 0.13), 0.4, 0.014, twice=True),
+        Plate((0.62, -0.2), (0.2, 0.13), 0.4, 0.014, twice=True),
         *number_plate(-0.34, 0.3, 0.15),
         _BUMPER,
     ),
 }
 SPORTS_WINDOWS = {
-    "front": (Plate((0, 0.6), (0.62, 0.26), 0.2),),
-    "sides": (Poly(((-0.14, 0.3), (0.04, 0.82), (0.33, 0.82), (0.44, 0.3))),),
-    "back": (Plate((0, 0.6), (0.56, 0.26), 0.2),),
-    "ends": (-0.1, 0.3),
+    "front": (_shield(0.3, 0.88, 0.76, 0.62),),
+    "sides": (Poly(((-0.22, 0.32), (0.0, 0.84), (0.3, 0.84), (0.48, 0.32))),),
+    "back": (_shield(0.34, 0.86, 0.72, 0.6),),
+    "ends": (-0.02, 0.28),
 }
 SPORTS_TAIL = {"back": (Plate((0.62, 0.1), (0.24, 0.075), 0.8, twice=True),)}
 SPORTS_TRIM = {
