@@ -19,7 +19,7 @@ from core.guidance.builtin.composition.vessel import Vessel
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
-from core.guidance.builtin.markings.expressions import MOUTH, expression
+from core.guidance.builtin.markings.expressions import MOUTH, expression, glints
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     NUMBER,
@@ -39,7 +39,7 @@ from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
 from core.guidance.builtin.words.emblems import METALS, Emblem
-from core.guidance.builtin.words.moods import has_face
+from core.guidance.builtin.words.moods import has_face, is_lively
 from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
 from core.guidance.guidance import Area
@@ -149,18 +149,19 @@ class PaintedSolid:
 
     @cached_property
     def expression(self) -> list[Overlay]:
-        """The lids, the brows and the mouth of its mood."""
-        if self.asleep or not has_face(self.words.noun) or not self.words.mood:
+        """The lids, the brows and the mouth of its mood, and the reflections in its eyes."""
+        words, noun = self.words, self.words.noun
+        if self.asleep or not has_face(noun):
             return []
         marked, count = self._marked_without(set()), len(self.paints)
-        return expression(
-            self.words.mood,
-            list(looks(self.words.noun)),
-            self.parts.boxes(),
-            marked.bearers,
-            lambda points: marked(self.solid.distances(points), points)[:, :count],
-            self.paints,
-        )
+
+        def distances(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+            return marked(self.solid.distances(points), points)[:, :count]
+
+        known = list(looks(noun)), self.parts.boxes(), marked.bearers, distances, self.paints
+        found = expression(words.mood, *known) if words.mood else []
+        lively = not words.is_statue and is_lively(noun)
+        return [*found, *(glints(*known) if lively else ())]
 
     @cached_property
     def number(self) -> str:

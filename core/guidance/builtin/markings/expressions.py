@@ -53,6 +53,9 @@ LINES: dict[Mood, tuple[Pair, ...]] = {
     "angry": ((-0.8, -0.3), (-0.4, 0.05), (0.0, 0.12), (0.4, 0.05), (0.8, -0.3)),
     "sleepy": ((-0.45, 0.0), (0.45, 0.0)),
 }
+# In an eye: their middles, in its halves, and their radii, in the lesser half.
+GLINTS, WHITE, DARK = "glints", (1.0, 1.0, 1.0), 0.3
+REFLECTIONS: tuple[tuple[Pair, float], ...] = (((0.26, 0.42), 0.34), ((-0.3, -0.4), 0.17))
 OPEN: dict[Mood, Pair] = {"surprised": (0.42, 0.55)}  # an oval's halves
 
 
@@ -111,6 +114,39 @@ def expression(
         if feature and box is not None and feature.half[0] < WIDEST * (box[1] - box[0])[0] / 2:
             found.append(Overlay(_mouth(mood, feature), (below, mouth), below, paints[mouth]))
     return found
+
+
+def glints(
+    names: Sequence[str],
+    boxes: Sequence[Float[Tensor, "2 3"] | None],
+    bearers: Sequence[int],
+    distances: Distances,
+    paints: Sequence[Painted],
+) -> list[Overlay]:
+    """The reflections in a pair of dark eyes, without which they look dead; the arguments are those
+    of :func:`expression`."""
+    own = tuple(part for part, name in enumerate(names) if name in EYES)
+    if GLINTS in names or not own or min(luma(paints[part].color) for part in own) > DARK:
+        return []
+    eye = _Search(boxes, bearers, distances).feature(own, True)
+    if eye is None or not eye.is_pair:
+        return []
+    plain = paints[own[0]]._replace(second=WHITE, pattern="", name=GLINTS, color=WHITE)
+    return [Overlay(_glint(eye), own, own[0], plain)]
+
+
+def _glint(eye: Feature) -> Callable[[Tensor], Margin]:
+    def margin(points: Float[Tensor, "n 3"]) -> Margin:
+        at, front = eye.at(points)
+        half = eye.half.to(points)
+        size = half.min()
+        spots = [
+            radius * size - ((at - at.new_tensor(middle)) * half).norm(dim=1)
+            for middle, radius in REFLECTIONS
+        ]
+        return all_of(torch.stack(spots).amax(0), front + half.max())
+
+    return margin
 
 
 def _by_eye(

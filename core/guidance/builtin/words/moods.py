@@ -22,6 +22,10 @@ ALSO_FACED = frozenset(
     "tooth bone starfish jellyfish brain hand".split()
 )  # and all lifeless things
 NO_FACES = frozenset(("coconut", "rover"))  # with "eyes" of another sort
+DULL_EYES = frozenset(
+    "butterfly;chess knight;gargoyle;gingerbread man;golem;grim reaper;jack-o-lantern;mask;mimic;"
+    "moai;mummy;piggy bank;sarcophagus;scarecrow;skeleton;skull;totem pole".split(";")
+)  # carved, hollow, of stone or of buttons: nothing is reflected in them
 _WORDS: dict[Mood, str] = {
     "happy": "happy, smiling, smiley, cheerful, joyful, jolly, laughing, grinning, joyous, merry, "
     "delighted, gleeful, beaming",
@@ -84,6 +88,11 @@ class Mooded(NamedTuple):
 def has_face(noun: str) -> bool:
     """Whether the thing has eyes that show a mood."""
     return EYES in looks_of(noun) and noun not in NO_FACES
+
+
+def is_lively(noun: str) -> bool:
+    """Whether light is reflected in its eyes."""
+    return has_face(noun) and noun not in DULL_EYES
 
 
 def mood_in(noun: str, prompt: str) -> tuple[Mooded, str]:
