@@ -17,6 +17,7 @@ from core.guidance.builtin.guidance import PromptedBuiltin
 from core.guidance.builtin.markings.emblems import drawn_emblem as placing
 from core.guidance.builtin.markings.emblems import windows
 from core.guidance.builtin.markings.emblems.drawn_emblem import COLORS, Drawn, differ, drawn_on
+from core.guidance.builtin.markings.emblems.scattered import scattered_on
 from core.guidance.builtin.markings.emblems.windows import WAYS, Window, largest_square, window_on
 from core.guidance.builtin.markings.shapes import SHAPES, shape_margin
 from core.guidance.builtin.palette import FINISHES, looks, painted
@@ -31,6 +32,7 @@ from core.guidance.builtin.words.vocabulary import parse
 from core.io.job import Job, read_events
 from core.io.progress import Progress
 from core.io.run_folder import RunFolder
+from core.prior.solids import cut, tube
 from core.tests.drawn_things import shipped_prior
 
 
@@ -116,6 +118,27 @@ def test_where_nobody_asks_it_is_the_front(parts):
     assert window_on(parts, [1.0], 1.0).way == WAYS["front"]
     wide = window_on(parts, [1.0], 3.0)
     assert 0.25 * SIDE < wide.half <= SIDE / 3
+
+
+def test_shapes_are_scattered_on_each_main_part_where_it_is_seen():
+    """A cup on a saucer, with tea in it: none is below the saucer or below the tea."""
+    solids = [
+        cut(tube((0, 0, -0.2), (0, 0, 0.4), 0.35), tube((0, 0, -0.1), (0, 0, 1), 0.27)),
+        tube((0, 0, -0.3), (0, 0, -0.2), 0.9),
+        tube((0, 0, -0.1), (0, 0, 0.25), 0.28),  # into the wall
+    ]
+
+    def distances(points):
+        return torch.stack([solid(points) for solid in solids], 1)
+
+    round_ = ((0.0,) * 3, (0.0,) * 3, (0.8,) * 3)
+    found = scattered_on(KnownParts(distances, Forms((0.5, 0.6, 0.6), round_)), [0, 1])
+    x, y, z = found.middles.unbind(1)
+    far = torch.hypot(x, y)
+    assert ((z > -0.19) & (far > 0.3)).sum() >= 3  # on the cup, of all around it
+    assert ((z < -0.19) & (far > 0.4)).sum() >= 3  # on the saucer
+    assert (found.outward[:, 2] > -0.7).all()
+    assert not ((far < 0.26) & (z < 0.2)).any()
 
 
 def test_a_text_on_the_side_is_read_from_both_sides():

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Bool, Float, Int
 from scipy.spatial import KDTree
 from torch import Tensor
 
@@ -15,6 +15,8 @@ from core.guidance.builtin.markings.margins import all_of
 from core.guidance.builtin.markings.shapes import shape_margin
 
 HALF = 0.1  # of a shape, times the thing's longest side
+ABOVE, BELOW = 0.01, 0.6  # training units; the cosine between a normal and the way down
+A_MAIN_PART = 0.2  # of all places, at least
 FEWEST = 8  # shapes, or they are smaller
 SIZES, SMALLER = 5, 0.75  # sizes to try, each this fraction of the one before
 APART = 2.9  # halves, from one middle to the next
@@ -50,10 +52,11 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
     """Evenly placed shapes on these parts; None without room."""
     places, normals, of = surface_places(parts)
     here = np.isin(of, on)
+    here[here] = _shown(parts, places[here], normals[here], of[here])
     places, normals = places[here], normals[here]
     if not len(places):
         return None
-    longest = float(np.ptp(places, axis=0).max())
+    longest = _longest(places, of[here])
     tree = KDTree(places)
     half, found = HALF * longest, []
     for k in range(SIZES):
@@ -72,6 +75,29 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
     up, right = (np.cos(tilt) * up + np.sin(tilt) * right, np.cos(tilt) * right - np.sin(tilt) * up)
     axes = (torch.from_numpy(of).float() for of in (places[found], right, up, outward))
     return Scattered(*axes, half)
+
+
+def _shown(
+    parts: KnownParts,
+    places: Float[np.ndarray, "n 3"],
+    normals: Float[np.ndarray, "n 3"],
+    of: Int[np.ndarray, " n"],
+) -> Bool[np.ndarray, " n"]:
+    """Which places are neither below the thing nor under another part, as a cup's bottom is under
+    its tea; all, if there are no such places."""
+    above = torch.from_numpy(places + ABOVE * normals).float()
+    away = parts.near(above).numpy().copy()
+    away[np.arange(len(of)), of] = np.inf
+    shown = (away.min(1) > 0) & (normals[:, 2] > -BELOW)
+    return shown if shown.any() else ~shown
+
+
+def _longest(places: Float[np.ndarray, "n 3"], of: Int[np.ndarray, " n"]) -> float:
+    """The longest side of the smallest of the main parts: a flower on a saucer is no larger than
+    one on its cup."""
+    parts, counts = np.unique(of, return_counts=True)
+    main = parts[counts >= A_MAIN_PART * len(places)]
+    return min(float(np.ptp(places[of == part], axis=0).max()) for part in main)
 
 
 def _apart(
