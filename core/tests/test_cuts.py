@@ -1,5 +1,6 @@
 """What is bitten, cut or broken: its words, the tools, the parts that are left and their inside."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -14,10 +15,12 @@ from core.geometry.signed_distance import SolidMesh
 from core.geometry.tools import beyond, both, capsule, joined, larger, outside, rough
 from core.geometry.union import volume
 from core.guidance.builtin.cutting import places
-from core.guidance.builtin.cutting.cut_solid import Cut
+from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.cutting.fills import Fill, within
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.palette import painted
 from core.guidance.builtin.words import cuts
+from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse, understood
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -33,6 +36,9 @@ RADIUS = 0.5
         ("a half-eaten donut", "donut", "half-eaten"),
         ("a pizza with a slice missing", "pizza", "slice missing"),
         ("a birthday cake with a missing slice", "cake", "slice missing"),
+        ("a slice of chocolate cake", "cake", "slice"),
+        ("a piece of birthday cake with a cherry on top", "cake", "slice"),
+        ("a slice of pizza", "pizza", ""),  # one is drawn
         ("half an orange", "orange fruit", "halved"),
         ("a watermelon cut in half", "watermelon", "halved"),
         ("a cracked egg", "egg", "broken"),
@@ -165,6 +171,23 @@ def test_a_cut_is_in_what_the_camera_sees(cut, noun):
     assert 0.02 < len(gone) / len(ball) < 0.75
     camera = torch.from_numpy(places.way(30, 0.35)).float()
     assert float(gone.mean(0) @ camera) > 0.05
+
+
+def test_a_slice_alone_has_a_cut_face_in_front_and_no_plate():
+    whole = _ball_with_a_stick()
+    tool = places.tool_of("slice", "cake", whole, ["body", "stalk"], "stone")
+    points = 2 * torch.rand(4000, 3, generator=torch.Generator().manual_seed(0)) - 1
+    ball = points[points.norm(dim=1) < RADIUS]
+    left = ball[tool.distance(ball) > 0]
+    assert len(left) / len(ball) == pytest.approx(places.SLICE / 360, abs=0.03)
+    camera = torch.from_numpy(places.way(30)).float()
+    beside = left + 0.2 * camera  # out of the slice, through its face
+    assert (tool.distance(beside) < 0).float().mean() > 0.6
+    words = Words("cake", cut="slice")
+    names = ["body", "plate"]
+    paints = [next(painted("cake", words))._replace(name=name) for name in names]
+    assert cut_out_of(words, whole, paints).parts.spared == []
+    assert cut_out_of(replace(words, cut="halved"), whole, paints).parts.spared == [1]
 
 
 def test_the_inside_has_areas_of_its_own():

@@ -11,6 +11,7 @@ from torch import Tensor
 
 from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.cut import CutParts
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.words.slots import Words
@@ -89,6 +90,8 @@ class Body:
         for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
             part[distances[:, small] < NEAR] = small
         verts = verts if parts is None else parts.settled(verts, part)
+        if words.cut == "slice" and isinstance(parts, CutParts):
+            verts, faces, part = _left(parts, verts, faces, part)
         body = cls(words, verts, faces, part)
         size = words.size
         longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
@@ -162,6 +165,18 @@ class Body:
         """Which points belong to the named parts."""
         rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
         return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
+
+
+def _left(
+    parts: CutParts,
+    verts: Float[Tensor, "v 3"],
+    faces: Int[Tensor, "f 3"],
+    part: Int[Tensor, " v"],
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"], Int[Tensor, " w"]]:
+    """What is left of a surface by a cut."""
+    kept = parts.tool.distance(verts) > 0
+    index = kept.long().cumsum(0) - 1
+    return verts[kept], index[faces[kept[faces].all(1)]], part[kept]
 
 
 def joined(bodies: Sequence[Body]) -> Body:

@@ -99,6 +99,8 @@ def cut_out_of(words: Words, whole: KnownParts, paints: Sequence[Painted]) -> Cu
     tool = tool_of(words.cut, noun, whole, names, grain, words.is_statue)
     spared = [k for k, name in enumerate(names) if name in SPARED.get(noun, ())]
     brittle = [k for k, name in enumerate(names) if name in BRITTLE]
+    if words.cut == "slice":  # without its plate
+        spared, brittle = [], [*brittle, *spared]
     parts = CutParts(whole, tool, spared, brittle)
     box = extent_of(noun, whole, names)
     normal = tuple(ACROSS.get(noun, way(FACE_AT, TILT if noun in PAIRS else 0.0)))

@@ -26,6 +26,7 @@ from core.guidance.builtin.words.cuts import CutWord
 # Degrees around the vertical, counter-clockwise from the front: of a bite, of one in what is
 # flat, of a bitten-off half, of a cut face, of a slice's middle.
 BITE_AT, RIM_AT, EATEN_AT, FACE_AT, SLICE_AT = 90.0, 66.0, 55.0, 30.0, 26.0
+ALONE_AT = -65.0  # of a slice alone: one of its cut faces is in front
 FLAT = 0.82  # thickness to width, at most, of what is bitten through
 # Of half the width: a bite's radius, its teeth's, how far in its middle is.
 BITE, TEETH, DEEP = 0.56, 0.17, 0.02
@@ -128,6 +129,8 @@ def tool_of(
         return half(noun, box)
     if cut == "slice missing":
         return slice_of(box)
+    if cut == "slice":
+        return all_but_slice(box)
     off = ruin(noun, box) if cut == "ruined" else broken(noun, box, grain, parts, is_statue)
     return joined([off, hollow(noun, box, parts)]) if noun in HOLLOW else off
 
@@ -254,12 +257,18 @@ def half(noun: str, box: Extent) -> Tool:
 
 def slice_of(box: Extent) -> Tool:
     """A slice from the middle to the rim."""
-    sides = []
-    for turn in (-1, 1):
-        inward = way(SLICE_AT + turn * (90 - SLICE / 2))
-        sides.append(beyond(inward, float(inward @ box.middle)))
-    front = way(SLICE_AT)
-    return both([*sides, beyond(front, float(front @ box.middle))])
+    return both([beyond(*side) for side in _sides(box, SLICE_AT)])
+
+
+def all_but_slice(box: Extent) -> Tool:
+    """All but one slice."""
+    return joined([beyond(-normal, -offset) for normal, offset in _sides(box, ALONE_AT)])
+
+
+def _sides(box: Extent, around_deg: float) -> list[tuple[Vector, float]]:
+    """The planes at both sides of a slice and at its tip, facing into it."""
+    ways = [way(around_deg + turn * (90 - SLICE / 2)) for turn in (-1, 1)]
+    return [(inward, float(inward @ box.middle)) for inward in (*ways, way(around_deg))]
 
 
 def noise(spacing: float, height: float, seed: int, reach: float, nodes: int) -> np.ndarray:

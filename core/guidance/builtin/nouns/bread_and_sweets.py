@@ -19,8 +19,7 @@ BREAD_AND_SWEETS = {
         Usual(0.16, 400.0),
     ),
     "cake": Noun(
-        "birthday cake; torte, wedding cake, cheesecake, pudding, brownie, cheesecake slice, "
-        "slice of cake, lasagna",
+        "birthday cake; torte, wedding cake, cheesecake, pudding, brownie, lasagna",
         {
             "icing": "*f6b7c8",
             "body": "+8a5430",

@@ -10,7 +10,9 @@ from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.sorts import says
 
 # "" is whole.
-CutWord = Literal["", "bitten", "half-eaten", "halved", "slice missing", "broken", "ruined"]
+CutWord = Literal[
+    "", "bitten", "half-eaten", "halved", "slice missing", "slice", "broken", "ruined"
+]
 
 _BITES = r"(?:(?:an?|one|two|three|some|several|big|large|huge|small|little|missing|few) )*bites?"
 _OUT_OF_IT = r"(?: (?:out of|out|from|off|in|into|of)\b(?: (?:it|its side|one side|the side))?)?"
@@ -42,6 +44,7 @@ _WORDS: dict[CutWord, str] = {
     "half-eaten": "half eaten",
     "bitten": "bitten",
     "slice missing": "partly sliced",
+    "slice": "slice of, piece of, wedge of, slice",
     "halved": "halved",
     "ruined": "ruined, ruin, ruinous, crumbling, crumbled, collapsed, destroyed, demolished",
     "broken": "broken, shattered, smashed, snapped, splintered, fractured, broke",
@@ -72,6 +75,8 @@ AS_DRAWN: dict[CutWord, frozenset[str]] = {
 }
 SHOWN_SLICED = AS_DRAWN["halved"] | {"bread", "orange fruit"}
 SLICED = frozenset("cake pie pizza".split())
+IN_SLICES = frozenset(["cake"])  # a pizza is drawn as one, a pie's lattice hangs out
+SLICE_SIZE = 0.5  # of the whole thing's
 _STANDING = (
     frozenset(GROUPS["Buildings"])
     - frozenset(
@@ -151,6 +156,7 @@ def _may_be(cut: CutWord, noun: str, is_statue: bool) -> bool:
         "half-eaten": EATEN,
         "halved": HALVED,
         "slice missing": SLICED,
+        "slice": IN_SLICES,
         "ruined": BROKEN,
         "broken": BROKEN,
     }

@@ -134,8 +134,7 @@ _ROWS = {
     "croissant": "0.11: danish",
     "pizza": "0.2: pizza slice",
     "sandwich": "0.18: wrap",
-    "cake": "0.08: brownie; 0.13: slice of cake, cheesecake slice; 0.15: pudding; "
-    "0.6: wedding cake",
+    "cake": "0.08: brownie; 0.15: pudding; 0.6: wedding cake",
     "cookie": "0.045: macaron, oreo; 0.06: cracker",
     "cheese": "0.35: cheese wheel, wheel of cheese",
     "lollipop": "0.05: candy; 0.11: chupa chup",

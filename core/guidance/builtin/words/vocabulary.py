@@ -23,7 +23,7 @@ from core.guidance.builtin.words.companion_fit import Found, Read
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions import MOST, companions_in
-from core.guidance.builtin.words.cuts import cut_of, in_cut_words
+from core.guidance.builtin.words.cuts import SLICE_SIZE, cut_of, in_cut_words
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.fillings import in_a_vessel
 from core.guidance.builtin.words.findings import Findings
@@ -347,7 +347,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
     words |= {"is_statue": got.is_statue, "is_toy": got.is_toy, "kinds": sort.kinds}
-    words |= {"kind_size": got.kind_size() or sort.size_m, "scale": got.scale, "size": got.size()}
+    words |= {"kind_size": got.kind_size() or sort.size_m, "size": got.size()}
+    words["scale"] = got.scale * (SLICE_SIZE if cut == "slice" else 1.0)
     # "Upholstered in velvet": "upholstered" only states fabric.
     forms = [one.form for one in got.found["material"] if one.word == words["material"]]
     words["material_form"] = next(
