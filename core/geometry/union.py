@@ -17,7 +17,7 @@ from torch import Tensor
 from core.geometry.struts import MOST_STRUTS, struts
 
 ROUND = 16  # segments of a strut's ends, and of a rounded edge's ball
-PLANE = 2e-3  # how far a plane of a surface to round may be off, training units
+PLANE = 2e-3  # how far an eroded surface may be off, training units
 JOINT = 48  # of a joint's
 WHOLE = 1 - 1e-6  # of a mesh's volume: nothing is cut off
 
@@ -88,14 +88,20 @@ def common(
     return _like(mesh, _solid(*mesh) ^ _solid(*other))
 
 
-def rounded_edges(
+def eroded(
     mesh: tuple[Tensor, Tensor], radius: float
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
-    """A closed mesh without what no ball of this radius inside it reaches (its opening, Serra
-    1982): convex edges and corners become round, planes stay where they are; maybe nothing."""
-    ball = manifold3d.Manifold.sphere(radius, ROUND)
-    inner = _solid(*mesh).simplify(PLANE).minkowski_difference(ball)
-    return _like(mesh, inner.simplify(PLANE).minkowski_sum(ball))
+    """What is farther inside a closed mesh than ``radius``; maybe nothing. A face takes some
+    milliseconds."""
+    solid = _solid(*mesh).minkowski_difference(manifold3d.Manifold.sphere(radius, ROUND))
+    return _like(mesh, solid.simplify(PLANE))
+
+
+def dilated(
+    mesh: tuple[Tensor, Tensor], radius: float
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """A closed mesh and all that is nearer to it than ``radius``."""
+    return _like(mesh, _solid(*mesh).minkowski_sum(manifold3d.Manifold.sphere(radius, ROUND)))
 
 
 def joined_to_largest(

@@ -7,9 +7,9 @@ import pytest
 import torch
 
 from core.geometry.parts.assembly import KnownParts, assembled
-from core.geometry.parts.bodywork import GAP, Bodywork, bodied, is_upright
+from core.geometry.parts.bodywork import GAP, Bodywork, bodied, is_upright, rounded_edges
 from core.geometry.parts.forms import Forms
-from core.geometry.union import is_solid, rounded_box, rounded_edges, volume
+from core.geometry.union import is_solid, rounded_box, volume
 from core.guidance.builtin.bodywork import ROUNDED, bodywork_of
 from core.guidance.builtin.markings.forms import rings
 from core.guidance.builtin.markings.markings import Marked
@@ -94,6 +94,19 @@ def test_the_areas_distances_are_those_of_the_finished_body():
     made = assembled(work, True, 0.05, lambda _: None)
     assert made is not None and is_solid(*made)
     assert volume(made) < volume(assembled(plain, True, 0.05, lambda _: None))
+
+
+def test_a_body_whose_sides_lean_is_not_made_of_steps():
+    def steps(points):  # as a network that errs a little draws a cabin
+        slabs = [(points - torch.tensor([0, 0, z])).abs() - torch.tensor([a, a, 0.25])
+                 for z, a in ((-0.2, 0.6), (0.25, 0.4))]  # fmt: skip
+        return torch.stack([slab.amax(1) for slab in slabs]).amin(0)[:, None]
+
+    flat = ((0.0,),) * 3
+    made = KnownParts(steps, Forms((1.0,), flat)).components
+    assert [one.primitive.form for one in made] == ["layers"]
+    leaning = Forms((1.0,), flat, bodywork={0: Bodywork(0.0, None, True)})
+    assert [one.primitive for one in KnownParts(steps, leaning).components] == [None]
 
 
 def test_each_row_is_of_a_part_that_the_thing_has():

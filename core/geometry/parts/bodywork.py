@@ -7,12 +7,13 @@ So a body is drawn of planes and whole, and these are made of what is drawn, exa
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import igl
 import numpy as np
 import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.geometry.union import lathe, less, rounded_edges, volume
+from core.geometry.union import dilated, eroded, is_solid, lathe, less, volume
 
 Mesh = tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]
 GAP = 0.03  # between a wheel and its well, training units
@@ -21,6 +22,7 @@ OUT = 1.0  # how far a well goes beyond its wheel, training units
 SEGMENTS = 48
 UPRIGHT = 0.8  # of a wheel's height, its length at least; and its width at most
 ASIDE = 0.5  # of the width of the body's half, the middle of a wheel at least
+FACES, INNER_FACES = 300, 200  # of a surface while it is rounded: all of its planes
 KEPT = 0.6  # of a body's volume, by the roundings
 
 
@@ -29,6 +31,7 @@ class Bodywork(NamedTuple):
 
     radius: float  # of its edges, training units; 0: sharp
     wheels: int | None = None  # the part that it gets wells around
+    leans: bool = False  # its sides lean: it is not of flat outlines one upon another
 
 
 def bodied(
@@ -46,6 +49,28 @@ def bodied(
         if is_upright(high - low) and abs(float(middle[0])) > ASIDE * half:
             made = less(made, _well(middle, float((high - low)[1:].max()) / 2, float(wide)))
     return made
+
+
+def rounded_edges(
+    mesh: tuple[Tensor, Tensor], radius: float
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """A closed mesh without what no ball of this radius inside it reaches (its opening, Serra
+    1982): convex edges and corners become round, planes stay where they are; maybe nothing."""
+    inner = eroded(_of_few_faces(mesh, FACES), radius)
+    return dilated(_of_few_faces(inner, INNER_FACES), radius)
+
+
+def _of_few_faces(
+    mesh: tuple[Tensor, Tensor], most: int
+) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
+    """About the same surface (Garland and Heckbert 1997); the same, if that is no solid."""
+    verts, faces = mesh
+    if len(faces) <= most:
+        return verts, faces
+    points, triangles = verts.double().numpy(), faces.numpy()
+    found = igl.qslim(points, triangles, most)
+    made = torch.from_numpy(found[0]).to(verts), torch.from_numpy(found[1]).to(faces)
+    return made if is_solid(*made) else mesh
 
 
 def is_upright(size: Float[Tensor, " 3"]) -> bool:

@@ -15,6 +15,7 @@ ROUNDED: dict[str, dict[str, float]] = {
     "double decker bus": {"body": 0.04},
     "fire truck": {"body": 0.04},
     "garbage truck": {"cab": 0.05},
+    "jeep": {"body": 0.025, "roof": 0.035},
     "limousine": {"body": 0.03},
     "monster truck": {"body": 0.03},
     "pickup truck": {"body": 0.03},
@@ -25,10 +26,16 @@ ROUNDED: dict[str, dict[str, float]] = {
     "truck": {"cab": 0.06, "cargo": 0.02},
     "van": {"body": 0.05},
 }
+LEANING = ("car", "pickup truck", "sports car", "taxi")  # these have a cabin
 
 
 def bodywork_of(noun: str, names: Sequence[str]) -> dict[int, Bodywork]:
     """By the index of the part in ``names``, the noun's parts in order."""
     wheels = names.index("wheels") if "wheels" in names else None
     rows = ROUNDED.get(noun, ROUNDED.get(solid_of(noun), {}))
-    return {index: Bodywork(rows[name], wheels) for index, name in enumerate(names) if name in rows}
+    leans = solid_of(noun) in LEANING
+    return {
+        index: Bodywork(rows[name], wheels, leans)
+        for index, name in enumerate(names)
+        if name in rows
+    }

@@ -90,9 +90,7 @@ OF_A_THING = {
         "chicken drumsticks"
     ),
     "eye": "fish whites, pufferfish whites, cyclops whites, cyclops iris",
-    "fabric": (
-        "glove band, jeep seats, baseball cap badge, hot air balloon balloon, paper lantern tassels"
-    ),
+    "fabric": ("glove band, baseball cap badge, hot air balloon balloon, paper lantern tassels"),
     "feathers": (
         "rooster neck, peacock eyes, angel wings, feather vane, feather tip, griffin wings, "
         "birdcage bird, pegasus wings"

@@ -14,6 +14,7 @@ from core.prior.solids import (
     grown,
     join,
     limb,
+    mirrored,
     moved,
     outlined,
     prism,
@@ -22,38 +23,32 @@ from core.prior.solids import (
     tilted,
     tube,
     turned,
+    within,
 )
 from core.prior.things.shared.fitted import fitted
 from core.prior.things.shared.outlines import strip
-from core.prior.things.shared.vehicle_parts import pane
+from core.prior.things.shared.vehicle_parts import greenhouse
 from core.prior.things.shared.wheels import disc_wheels, rimmed_wheel, wheels
 
 
 def car(draw: Draw) -> Parts:
-    """A car with a hood, a cabin and a short boot, its wheels in arches, all of plane faces."""
-    x, y, wheel = draw(0.62, 0.68), draw(1.26, 1.38), draw(0.28, 0.31)
-    belt, roof, nose = draw(0.74, 0.8), draw(1.16, 1.24), draw(0.6, 0.66)
-    front, back = -y * draw(0.34, 0.4), y * draw(0.74, 0.82)
-    axles, side = (-y * 0.6, y * 0.6), x * 0.76  # the cabin's half width, and where arches end
-    eyes = nose - 0.16
-    hull = [(-y, 0.22), (-y, nose - 0.06), (-y + 0.08, nose), (front, belt), (y - 0.05, belt)]
-    hull += [(y, belt - 0.05), (y, 0.22)]
-    roofline = [(front - 0.02, belt - 0.1), (front + 0.42, roof), (back - 0.4, roof)]
-    roofline += [(back, belt - 0.1)]
-    arches = (tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles)
-    low, high, post = belt + 0.05, roof - 0.11, (front + back) / 2 + 0.02
-    lights = (
-        [(front + 0.2, low), (front + 0.44, high), (post - 0.07, high), (post - 0.07, low)],
-        [(post + 0.07, low), (post + 0.07, high), (back - 0.44, high), (back - 0.2, low)],
-    )
-    slants = ((front, front + 0.42, -1), (back, back - 0.4, 1))
-    panes = (pane((a, belt - 0.1), (b, roof), s, side - 0.1) for a, b, s in slants)
-    tyres, hubs = zip(*(rimmed_wheel(x - 0.1, v, wheel) for v in axles), strict=True)
+    """A car with a hood, a cabin whose sides lean in and a short boot, narrower at both ends."""
+    x, y, wheel = draw(0.58, 0.63), draw(1.3, 1.38), draw(0.26, 0.285)
+    belt, roof, floor = draw(0.66, 0.7), draw(1.02, 1.08), 0.2
+    nose = belt - draw(0.07, 0.11)
+    front, back = -y * draw(0.38, 0.42), y * draw(0.72, 0.78)
+    hull = [(-y + 0.05, floor), (-y, floor + 0.08), (-y, nose - 0.08), (-y + 0.1, nose)]
+    hull += [(front, belt), (y - 0.06, belt), (y, belt - 0.06), (y, floor + 0.08)]
+    hull.append((y - 0.05, floor))
+    plan = [(x * 0.8, -y), (x, -y * 0.68), (x, y * 0.72), (x * 0.86, y)]
+    line = (front, front + draw(0.38, 0.44), back - draw(0.38, 0.44), back)
+    tyres, hubs = zip(*(rimmed_wheel(x - 0.1, v, wheel) for v in (-y * 0.6, y * 0.6)), strict=True)
+    cabin, glass = greenhouse(x, belt, roof, line)
     return {
-        "body": join(cut(prism(hull, 0, x), both(join(*arches))), prism(roofline, 0, side)),
-        "windows": join(*panes, *(both(prism(light, 0, 0.06, side)) for light in lights)),
+        "body": join(outlined(hull, plan), cabin),
+        "windows": glass,
         "wheels": both(join(*tyres)),
-        "lamps": both(tube((x * 0.66, -y - 0.06, eyes), (x * 0.66, -y + 0.1, eyes), 0.1)),
+        "lamps": both(box((x * 0.57, -y + 0.03, nose - 0.13), (0.13, 0.08, 0.075))),
         "hubs": both(join(*hubs)),
     }
 
@@ -61,37 +56,41 @@ def car(draw: Draw) -> Parts:
 def taxi(draw: Draw) -> Parts:
     """A car with a sign on its roof and a chequered band."""
     parts = car(draw)
-    return parts | {"sign": box((0, 0.2, 1.3), (draw(0.24, 0.34), 0.13, draw(0.17, 0.2)), 0.04)}
+    return parts | {"sign": box((0, 0.2, 1.16), (draw(0.22, 0.3), 0.12, draw(0.15, 0.18)), 0.04)}
 
 
 def sports_car(draw: Draw) -> Parts:
-    """Low, broad and like a wedge of plane faces, a flat cabin, a wing over the tail."""
-    x, y, wheel = draw(0.68, 0.74), draw(1.3, 1.42), draw(0.29, 0.33)
-    belt, roof, axles = draw(0.64, 0.7), draw(0.96, 1.04), (-y * 0.6, y * 0.6)
-    front, tail, wing = -y * draw(0.3, 0.38), belt + draw(0.02, 0.08), draw(0.96, 1.06)
-    side = x * 0.74  # the cabin's half width, and where arches end
-    hull = [(-y, 0.16), (-y, 0.34), (-y * 0.58, 2 * wheel), (front, belt), (y * 0.5, tail)]
-    hull += [(y, tail), (y, tail - 0.16), (y - 0.1, 0.16)]
-    back, first, last = y * 0.66, front + 0.5, front + 0.9
-    roofline = [(front, belt - 0.1), (first, roof), (last, roof), (back, belt - 0.1)]
-    arches = (tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles)
-    low, high = belt + 0.05, roof - 0.1
-    light = [(front + 0.3, low), (first + 0.02, high), (last, high), (back - 0.46, low)]
-    panes = (pane((a, belt - 0.1), (b, roof), s, side - 0.1)
-             for a, b, s in ((front, first, -1), (back, last, 1)))  # fmt: skip
-    tyres, hubs = wheels(x - 0.1, [(v, wheel) for v in axles], 0.13)
-    lamp = turned(box((0, 0, 0), (0.13, 0.16, 0.07)), 0, 27)
+    """Low, broad and like a wedge, with a waist, a flat cabin, a wing over the tail."""
+    x, y, wheel = draw(0.64, 0.69), draw(1.32, 1.42), draw(0.255, 0.275)
+    belt, roof, floor = draw(0.6, 0.64), draw(0.88, 0.94), 0.15
+    front, tail, wing = -y * draw(0.32, 0.38), belt + draw(0.0, 0.04), draw(0.86, 0.94)
+    hull = [
+        (-y + 0.1, floor),
+        (-y, 0.2),
+        (-y, 0.34),
+        (-y * 0.8, 0.5),
+        (-y * 0.5, 0.57),
+        (front, belt),
+    ]
+    hull += [(y * 0.5, tail), (y, tail), (y, tail - 0.18), (y - 0.1, floor)]
+    plan = [(x * 0.7, -y), (x * 0.97, -y * 0.74), (x * 0.97, -y * 0.4), (x * 0.93, 0.0)]
+    plan += [(x, y * 0.42), (x, y * 0.7), (x * 0.9, y)]
+    first = front + draw(0.48, 0.54)
+    line = (front, first, first + draw(0.3, 0.36), y * 0.7)
+    tyres, hubs = wheels(x - 0.11, [(v, wheel) for v in (-y * 0.6, y * 0.6)], 0.13)
+    lamp = turned(box((0, 0, 0), (0.12, 0.14, 0.07)), 0, 24)
     foot = box((x * 0.56, y - 0.18, (tail + wing) / 2), (0.09, 0.12, (wing - tail) / 2 + 0.04))
+    cabin, glass = greenhouse(x * 0.93, belt, roof, line)
     return {
-        "body": join(cut(prism(hull, 0, x), both(join(*arches))), prism(roofline, 0, side)),
-        "windows": join(*panes, both(prism(light, 0, 0.06, side))),
+        "body": join(outlined(hull, plan), cabin),
+        "windows": glass,
         "wheels": tyres,
         "hubs": hubs,
-        "lamps": both(moved(lamp, (x * 0.64, -y + 0.24, 0.45))),
+        "lamps": both(moved(lamp, (x * 0.6, -y + 0.22, 0.46))),
         "spoiler": join(
-            box((0, y - 0.16, wing), (x * 0.94, 0.19, 0.07)),
+            box((0, y - 0.16, wing), (x * 0.92, 0.19, 0.07)),
             both(foot),
-            box((0, -y, 0.2), (x * 0.8, 0.14, 0.08)),
+            box((0, -y + 0.02, 0.18), (x * 0.66, 0.14, 0.08)),
         ),
     }
 
@@ -167,31 +166,33 @@ def limousine(draw: Draw) -> Parts:
 
 
 def jeep(draw: Draw) -> Parts:
-    """An open field car: flat fenders, a windscreen, a spare wheel, sometimes a top."""
-    x, y, wheel = draw(0.5, 0.56), draw(0.98, 1.1), draw(0.34, 0.38)
-    belt, top = draw(0.82, 0.9), draw(1.38, 1.5)
-    hood, front = -y * draw(0.25, 0.35), draw(0.1, 0.14)
-    roll = box((x - 0.1, y - 0.5, (belt + top) / 2), (0.09, 0.09, (top - belt) / 2 + 0.08))
-    closed = draw.chance(0.5)
-    well = box((0, (hood + y) / 2 + 0.02, belt), (x - 0.12, (y - hood) / 2 - 0.16, 0.3))
-    roof = box((0, (hood + y) / 2, top), (x, (y - hood) / 2, 0.09), 0.03)
-    bar = box((0, y - 0.5, top), (x - 0.02, 0.09, 0.09))
+    """A field car: a flat hood between fenders, an upright cabin, bumpers, a spare wheel."""
+    x, y, wheel = draw(0.56, 0.61), draw(1.04, 1.16), draw(0.31, 0.35)
+    belt, roof, floor = 2 * wheel + draw(0.24, 0.3), draw(1.38, 1.48), wheel + 0.06
+    front, hood, axles = -y * draw(0.28, 0.36), belt - 0.04, (-y * 0.62, y * 0.6)
+    inner, eyes = x - 0.1, belt - 0.2  # half the width between the fenders
+    side = [(-y, floor), (-y, hood - 0.05), (-y + 0.06, hood), (front, belt), (y, belt)]
+    side.append((y, floor))
+    flare = mirrored([(wheel + 0.2, wheel + 0.1), (wheel + 0.08, 2 * wheel + 0.09)])
+    fenders = join(*(moved(prism(flare, 0, x + 0.04), (0, v, 0)) for v in axles))
+    line = [(front, belt - 0.08), (front + draw(0.12, 0.18), roof), (y - 0.08, roof)]
+    line.append((y - 0.02, belt - 0.08))
+    across = [(inner - 0.01, belt - 0.08), (inner - 0.06, roof)]
+    cabin = within(prism(line, 0, 2), prism(mirrored(across), 1, 3))
+    band = box((0, 0, (belt + roof) / 2), (2, 3, (roof - belt) * 0.34))
+    spare = wheel * 0.82
+    bumper = box((0, -y - 0.05, floor + 0.05), (x - 0.02, 0.08, 0.09), 0.02)
+    step = box((x - 0.02, 0, floor - 0.02), (0.1, y * 0.3, 0.06))
     return {
-        "body": join(
-            cut(box((0, 0, belt / 2 + 0.16), (x, y, belt / 2 - 0.16), 0.04), well),
-            both(box((x + 0.08, -y * 0.62, wheel * 2 + 0.06), (0.16, 0.36, 0.08), 0.02)),
-            both(box((x + 0.08, y * 0.62, wheel * 2 + 0.06), (0.16, 0.36, 0.08), 0.02)),
-        ),
-        "windows": box(
-            (0, hood, (belt + top) / 2 + 0.02), (x - 0.02, 0.08, (top - belt) / 2), 0.02
-        ),
+        "body": join(prism(side, 0, inner), fenders),
+        "windows": within(grown(cabin, 0.04), band),
         "wheels": join(
-            disc_wheels(x + 0.04, (-y * 0.62, y * 0.62), wheel, 0.14),
-            tube((0, y - 0.02, belt * 0.75), (0, y + 0.2, belt * 0.75), wheel * 0.9, 0.04),
+            disc_wheels(x - 0.06, axles, wheel, 0.13),
+            tube((0, y - 0.02, belt - 0.06), (0, y + 0.17, belt - 0.06), spare, 0.04),
         ),
-        "lamps": both(ball((x * 0.68, -y, belt * 0.74), front)),
-        "seats": both(box((x * 0.45, hood + 0.62, belt * 0.95), (0.17, 0.12, 0.3), 0.06)),
-        "roof": join(both(roll), roof if closed else bar),
+        "lamps": both(tube((inner * 0.66, -y - 0.06, eyes), (inner * 0.66, -y + 0.1, eyes), 0.11)),
+        "trim": join(bumper, moved(bumper, (0, 2 * y + 0.06, 0)), both(step)),
+        "roof": cabin,
     }
 
 

@@ -18,6 +18,7 @@ from core.prior.solids import (
     limb,
     mirrored,
     moved,
+    outlined,
     prism,
     smooth_curve,
     tube,
@@ -26,7 +27,7 @@ from core.prior.solids import (
 )
 from core.prior.things.shared.fitted import fitted
 from core.prior.things.shared.outlines import strip
-from core.prior.things.shared.vehicle_parts import pane
+from core.prior.things.shared.vehicle_parts import greenhouse
 from core.prior.things.shared.wheels import disc_wheels, wheels
 
 
@@ -98,40 +99,32 @@ def truck(draw: Draw) -> Parts:
 
 
 def pickup_truck(draw: Draw) -> Parts:
-    """A hood, a cab and an open bed, all of plane faces, on large wheels; or with a roll bar."""
-    x, y, wheel = draw(0.64, 0.7), draw(1.28, 1.4), draw(0.33, 0.36)
-    belt, roof, nose = 2 * wheel + draw(0.32, 0.36), draw(1.54, 1.64), 2 * wheel + draw(0.22, 0.26)
-    front, back, axles = -y * draw(0.38, 0.44), y * draw(0.22, 0.28), (-y * 0.58, y * 0.6)
-    side, cab, floor, eyes = x - 0.16, x - 0.09, wheel + 0.02, nose - 0.2  # side: where arches end
-    hull = [(-y, floor), (-y, nose - 0.08), (-y + 0.08, nose), (front, belt), (y, belt), (y, floor)]
-    roofline = [(front, belt - 0.1), (front + 0.38, roof), (back - 0.08, roof), (back, belt - 0.1)]
-    middle, half = (back + y) / 2 - 0.06, (y - back) / 2 - 0.12
-    flare = mirrored([(wheel + 0.18, floor), (wheel - 0.02, 2 * wheel + 0.16)])
-    flares = [moved(prism(flare, 0, x + 0.08), (0, v, 0)) for v in axles]
-    arches = join(*(tube((side, v, wheel), (2, v, wheel), wheel + 0.07) for v in axles))
-    solid = join(prism(hull, 0, x), *flares)
-    low, high = belt + 0.06, roof - 0.12
-    light = [(front + 0.22, low), (front + 0.45, high), (back - 0.22, high), (back - 0.17, low)]
-    slants = ((front, front + 0.38, -1), (back, back - 0.08, 1))
-    panes = (pane((a, belt - 0.1), (b, roof), s, cab - 0.12) for a, b, s in slants)
+    """A hood, a cab whose sides lean in and an open bed, on large wheels; or with a roll bar."""
+    x, y, wheel = draw(0.6, 0.66), draw(1.3, 1.4), draw(0.32, 0.35)
+    belt, roof, nose = 2 * wheel + draw(0.28, 0.32), draw(1.4, 1.5), 2 * wheel + draw(0.2, 0.24)
+    front, back, axles = -y * draw(0.4, 0.46), y * draw(0.16, 0.22), (-y * 0.6, y * 0.62)
+    floor, eyes = wheel + 0.04, nose - 0.19
+    hull = [(-y + 0.04, floor), (-y, floor + 0.06), (-y, nose - 0.08), (-y + 0.08, nose)]
+    hull += [(front, belt), (y, belt), (y, floor)]
+    plan = [(x * 0.86, -y), (x, -y * 0.8), (x, y)]
+    line = (front, front + draw(0.34, 0.4), back - draw(0.04, 0.1), back)
+    middle, half = (back + y) / 2 - 0.05, (y - back) / 2 - 0.14
     bar = box((0, back + 0.28, roof - 0.37), (x - 0.07, 0.1, 0.32))
     hoop = cut(bar, box((0, back, roof - 0.57), (x - 0.28, 1, 0.32)))
-    body = join(
-        cut(solid, box((0, middle, belt), (x - 0.18, half, 0.28)), both(arches)),
-        prism(roofline, 0, cab),
-    )
-    tyres, hubs = wheels(x - 0.05, [(v, wheel) for v in axles], 0.17)
+    cab, glass = greenhouse(x, belt, roof, line)
+    body = join(cut(outlined(hull, plan), box((0, middle, belt), (x - 0.15, half, 0.26))), cab)
+    tyres, hubs = wheels(x - 0.09, [(v, wheel) for v in axles], 0.15)
     return {
         "body": join(body, hoop) if draw.chance(0.4) else body,
-        "windows": join(*panes, both(prism(light, 0, 0.07, cab))),
+        "windows": glass,
         "wheels": tyres,
         "trim": join(
             hubs,
-            both(box((0, y + 0.02, floor), (x + 0.04, 0.12, 0.11)), 1),
-            box((0, -y, eyes), (x - 0.34, 0.08, 0.1)),
+            both(box((0, y + 0.01, floor + 0.02), (x * 0.94, 0.1, 0.1)), 1),
+            box((0, -y, eyes), (x - 0.34, 0.07, 0.1)),
         ),
-        "lamps": both(box((x - 0.18, -y, eyes), (0.13, 0.1, 0.11))),
-        "bed": box((0, middle, belt - 0.28), (x - 0.15, half + 0.03, 0.06)),
+        "lamps": both(box((x - 0.2, -y + 0.02, eyes), (0.11, 0.1, 0.1))),
+        "bed": box((0, middle, belt - 0.26), (x - 0.13, half + 0.03, 0.06)),
     }
 
 

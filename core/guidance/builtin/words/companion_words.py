@@ -34,7 +34,7 @@ CONTAINERS = frozenset(
         "vase, flower pot, cooking pot, cauldron, bowl, basket, bucket, cardboard box, crate, mug, "
         "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
         "speedboat, longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, "
-        "jeep, golf cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, "
+        "golf cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, "
         "plate, dumpster"
     ).split(", ")
 )

@@ -129,6 +129,7 @@ VEHICLES: Rows = {
     },
     "jeep": {
         "hubs": HUBS,
+        "windows": Marking("roof", partial(panes.vehicle_windows, **own.JEEP_WINDOWS)),
         "grille": Marking("body", partial(outlines.laid, **own.JEEP_GRILLE)),
     },
     "van": {
