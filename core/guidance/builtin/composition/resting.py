@@ -42,7 +42,7 @@ SUNK = 0.02  # training units: overlap with the support
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
 IN = 0.45  # of the lower one's height: how deep a thing is in another
 ROOM = 1.1  # of a thing's lower half: least width of a container
-NEIGHBOUR, TOUCHING_SIDES = (0.3, 2.5), 0.02
+NEIGHBOUR, YOUNG, TOUCHING_SIDES = (0.3, 2.5), (0.22, 0.6), 0.02
 WIDEST = 0.7  # of the carrier: most width of a thing on it
 # Of the other's longest side: least and most of a thing's.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
@@ -96,14 +96,27 @@ def around(thing: Body, container: Body) -> Placement:
 
 def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placement:
     """The placement of ``thing`` next to the other, at the end of a row with it, touching it."""
-    place = Placement.of(sized(thing, other, *NEIGHBOUR))
+    young = thing.words.noun == other.words.noun
+    place = Placement.of(sized(thing, other, *(YOUNG if young else NEIGHBOUR)))
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
+    to = torch.stack([torch.zeros(()), middle[1] - mine[1], (other.box - there.box)[0, 2]])
+    near = _next_to(there.placed(Placement.of().moved(to)), row) if young else row.box
     if on_left:
-        side = row.box[0, 0] + TOUCHING_SIDES - there.box[1, 0]
+        side = near[0, 0] + TOUCHING_SIDES - there.box[1, 0]
     else:
-        side = row.box[1, 0] - TOUCHING_SIDES - there.box[0, 0]
-    return place.moved(torch.stack([side, middle[1] - mine[1], (other.box - there.box)[0, 2]]))
+        side = near[1, 0] - TOUCHING_SIDES - there.box[0, 0]
+    return place.moved(to + side * torch.tensor([1.0, 0.0, 0.0]))
+
+
+def _next_to(thing: Body, row: Body) -> Float[Tensor, "2 3"]:
+    """The box around the points of a row that a thing next to it may touch, under a parent's ears
+    or wings."""
+    low, high = thing.box
+    near = row.verts[
+        (row.verts[:, 2] < high[2]) & (row.verts[:, 1] > low[1]) & (row.verts[:, 1] < high[1])
+    ]
+    return torch.stack([near.amin(0), near.amax(0)]) if len(near) else row.box
 
 
 def is_stuck(thing: Body, other: Body) -> bool:

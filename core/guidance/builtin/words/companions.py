@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from itertools import islice
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
@@ -25,6 +26,7 @@ from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXE
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, look_up
+from core.guidance.builtin.words.offspring import like_its_parent, young_in
 from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.tokens import DOING
 from core.guidance.builtin.words.whereabouts import BY_IT, Place, place_of
@@ -93,7 +95,7 @@ def companions_in(
     found = list(found)
     search = _Search(read, first_of)
     prompt = turned(mixtures_named(prompt))
-    for step in (search.listed, search.placed, search.served, search.filled, search.opened):
+    for step in (search.young, search.listed, search.placed, search.served, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
@@ -107,6 +109,23 @@ class _Search:
 
     def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
         self._read, self._first_of = read, first_of
+
+    def young(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "With three ducklings", "and her cub"."""
+        drawn = drawn_in(prompt)
+        for one in islice(young_in(prompt, self._first_of), LOOKED_AT):
+            each = (got.words for got in map(self._read, one.phrases) if got)
+            words = next((words for words in each if words.noun == one.parent), None)
+            pictured = any(start <= one.start < end for _, start, end in drawn)
+            parent = self._read(prompt[: one.start])
+            if words is None or parent is None or pictured:
+                continue
+            words = like_its_parent(words, parent.words, one.count)
+            got = Found(one.relation, one.phrases[0], words)
+            each = _on_both_sides(got, "") if one.relation == "beside" else [got]
+            if len(found) + len(each) <= MOST:
+                return each, _cut(prompt, one.start, one.end, [])
+        return [], prompt
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a lamp, a laptop and a mug"."""

@@ -34,6 +34,7 @@ from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabular
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.moods import mood_in
 from core.guidance.builtin.words.part_names import looks_of, own_name
+from core.guidance.builtin.words.offspring import parents_named
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
 from core.guidance.builtin.words.poses import in_a_word, pose_of
@@ -163,7 +164,7 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = made_active(as_phrase(MINE.sub("", prompt)))
+    prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
 
