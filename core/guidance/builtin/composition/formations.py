@@ -21,6 +21,8 @@ AT_CROSSING = 0.12  # of the height: the points whose thickness keeps crossed th
 OVERLAP = 0.12  # of that thickness
 ENDS = 0.25  # of the height: the ends that may stand out to one side
 STANDS_OUT = 1.3  # times as far to one side as to the other
+CLOSER = (1.0, 0.95, 0.9, 0.85, 0.8)  # times as far from the middle as their boxes touch
+SOME = 3000  # points
 QUARTER = math.pi / 2
 
 
@@ -93,17 +95,36 @@ def facing(thing: Body, away: bool) -> list[Placement]:
 
 
 def circle(thing: Body, count: int) -> list[Placement]:
-    """Things around a middle that they look at, next to each other; with a gap towards the front.
-    Fewer than three are in a row."""
+    """Things around a middle that they look at, as close as they touch their neighbours; with a gap
+    towards the front."""
     wide, deep, _ = thing.sides.tolist()
-    step = 2 * math.pi / count
-    inner = wide / 2 / math.tan(step / 2) if count > 2 else 0.0
+    inner = wide / 2 / math.tan(math.pi / count) if count > 2 else 0.0
     radius = (inner + deep / 2) * (1 - TOUCHING)
+    for closer in CLOSER:
+        found = around(thing, count, closer * radius)
+        if _gap(thing, found[0], found[1]) < TOUCHING * thing.longest:
+            break
+    return found
+
+
+def around(thing: Body, count: int, radius: float) -> list[Placement]:
+    """Copies on a circle around the origin, which they look at; with a gap towards the front."""
     found = []
     for k in range(count):
-        angle = (k + 0.5) * step - QUARTER
+        angle = angle_of(k, count)
         turn = about_z(angle - QUARTER)  # what is at the back looks to the front
         at = torch.tensor([math.cos(angle), math.sin(angle), 0.0]) * radius
         middle = turn @ (thing.box.mean(0) * torch.tensor([1.0, 1.0, 0.0]))
         found.append(Placement.of(1.0, turn).moved(at - middle))
     return found
+
+
+def angle_of(k: int, count: int) -> float:
+    """The direction of one of so many places on a circle, of which none is in front."""
+    return (k + 0.5) * 2 * math.pi / count - QUARTER
+
+
+def _gap(thing: Body, first: Placement, second: Placement) -> float:
+    """The distance between two copies, by some of their points."""
+    some = thing.verts[:: max(len(thing.verts) // SOME, 1)]
+    return float(torch.cdist(first.out(some), second.out(some)).min())

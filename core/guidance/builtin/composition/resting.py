@@ -49,6 +49,8 @@ SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1
 DECKS = {*GROUPS["Vehicles"], "sled"}  # things in these are on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 TALL = 1.5  # times as high as wide: laid down from here on
+LOADED, FLOOR = 0.95, 0.3  # of a bed's width: a load; quantile of a bed's heights: its floor
+BEDS = {"pickup truck": ("bed",), "dump truck": ("load", "bed")}  # a load lies on these parts
 PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
@@ -101,7 +103,7 @@ def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placem
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
     to = torch.stack([torch.zeros(()), middle[1] - mine[1], (other.box - there.box)[0, 2]])
-    near = _next_to(there.placed(Placement.of().moved(to)), row) if young else row.box
+    near = _next_to(there.placed(Placement.of().moved(to)), row)
     if on_left:
         side = near[0, 0] + TOUCHING_SIDES - there.box[1, 0]
     else:
@@ -142,6 +144,8 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return place.moved(spot_on(borne, carrier) - _foot(borne) - deep)
     if carrier.words.noun in CONTAINERS and is_heap(thing):
         return _filling(thing, carrier)
+    if carrier.words.noun in BEDS and is_heap(thing):
+        return _load(thing, carrier.only(*BEDS[carrier.words.noun]))
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
     turn = _lying(thing) @ _levelled(carrier, thing)
@@ -182,6 +186,15 @@ def _filling(heap: Body, container: Body) -> Placement:
     middle = there.box.mean(0)
     top = torch.stack([middle[0], middle[1], there.box[1, 2]])
     return place.moved(rim - top + up)
+
+
+def _load(heap: Body, bed: Body) -> Placement:
+    """The placement of a heap on a truck's bed, as wide as that."""
+    place = Placement.of(LOADED * float((bed.sides[:2] / heap.sides[:2]).min()))
+    there = heap.placed(place)
+    foot = torch.cat([there.box.mean(0)[:2], there.box[0, 2:]])
+    floor = torch.cat([bed.box.mean(0)[:2], bed.verts[:, 2].quantile(FLOOR)[None]])
+    return place.moved(floor - foot - torch.tensor([0.0, 0.0, SUNK]))
 
 
 def _is_mount(support: Body) -> bool:

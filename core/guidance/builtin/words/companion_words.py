@@ -112,6 +112,20 @@ _STANDS = (
 PEDESTALS = ("column", "pallet")
 # Things on a building that are large enough to see.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
+# A snake is coiled around these.
+_COILED_AROUND = POINTED | {
+    *("staff", "torch", "candle", "column", "magic wand", "street lamp", "signpost", "flute"),
+    *("umbrella", "baseball bat", "bottle", "goblet", "wine glass", "war hammer", "mace"),
+}
+# Things that others stand or lie on, as what is known: "a parrot on a perch".
+STAND_INS = {
+    r"(?:tree |wooden |bare )*(?:perch|branch|twig|bough)": "log",
+    r"(?:floating |small |large )*(?:ice ?floe|iceberg|ice ?berg|sheet of ice|slab of ice)": (
+        "large flat boulder made of ice"
+    ),
+    r"(?:stone |marble |wooden )*(?:pedestal|plinth|podium)": "column",
+    r"(?:table)?cloth": "towel",
+}
 # These do not stand on things: they hang, or are flat against them.
 HUNG = frozenset(
     (
@@ -193,6 +207,11 @@ def may_hold_within(other: str, first: str) -> bool:
     stuck = other in POINTED and first in PIERCED
     stirs = other in STIRRING and first in VESSELS | {"pan", "cauldron"}
     return stuck or stirs or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
+
+
+def may_coil(first: str, other: str) -> bool:
+    """Whether the first thing may be drawn with its coils around the other."""
+    return first == "snake" and other in _COILED_AROUND
 
 
 def may_wear(first: str, other: str) -> bool:

@@ -6,13 +6,20 @@ They are taken out of the prompt before the rest is parsed. Standard library onl
 
 import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from itertools import islice
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
-from core.guidance.builtin.words.companion_fit import Found, Reader, fitting, is_part
+from core.guidance.builtin.words.attached import attached_in, by_size, others_in
+from core.guidance.builtin.words.companion_fit import (
+    Found,
+    Reader,
+    fitting,
+    is_part,
+    standing_in,
+)
 from core.guidance.builtin.words.companion_openers import (
     Opener,
     Relation,
@@ -22,10 +29,10 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed
-from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXED, Order
+from core.guidance.builtin.words.count_words import CIRCLED, CONTAINED, FEW, HEAPED, MIXED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
-from core.guidance.builtin.words.lexicon import SLOTS, look_up
+from core.guidance.builtin.words.lexicon import SLOTS, look_up, singulars
 from core.guidance.builtin.words.offspring import like_its_parent, young_in
 from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.tokens import DOING
@@ -93,15 +100,37 @@ def companions_in(
         found: companions known already, part of the ``MOST``.
     """
     found = list(found)
-    search = _Search(read, first_of)
+    search = _Search(standing_in(read), first_of)
     prompt = turned(mixtures_named(prompt))
-    for step in (search.young, search.listed, search.placed, search.served, search.filled, search.opened):
+    steps = (search.young, search.attached, search.listed, search.placed, search.served)
+    for step in (*steps, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
                 break
             found += more
     return _distributed(found), prompt
+
+
+def one_more(
+    prompt: str,
+    read: Reader,
+    first_of: Callable[[str], str],
+    found: list[Found],
+    left_out: Collection[str],
+) -> tuple[list[Found], str]:
+    """One more companion, of no stated place, that would be left out: "a lamp with a bird"; and the
+    prompt without it."""
+    drawn = drawn_in(prompt)
+    for phrase, start, end in islice(others_in(prompt), LOOKED_AT):
+        first = first_of(prompt[:start])
+        named = {single for word in phrase.lower().split() for single in singulars(word)}
+        relation = by_size(first, phrase) if first and not named.isdisjoint(left_out) else None
+        if relation is None or any(a <= start < b for _, a, b in drawn):
+            continue
+        if one := fitting(standing_in(read), relation, phrase, first, found):
+            return [one], _cut(prompt, start, end, [])
+    return [], prompt
 
 
 class _Search:
@@ -125,6 +154,22 @@ class _Search:
             each = _on_both_sides(got, "") if one.relation == "beside" else [got]
             if len(found) + len(each) <= MOST:
                 return each, _cut(prompt, one.start, one.end, [])
+        return [], prompt
+
+    def attached(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "With mushrooms growing on it", "with lanterns hanging from its branches"."""
+        for one in islice(attached_in(prompt, self._first_of), LOOKED_AT):
+            many = fillings.named(one.phrase)
+            got = self._read(many.phrase if many.is_many and not many.is_counted else one.phrase)
+            first = self._first_of(prompt[: one.start])
+            if got is None or (is_part(got.entry, first) and not one.is_top):
+                continue
+            words = got.words
+            if many.is_many and words.count == 1:
+                words = replace(words, count=one.many)
+            if one.heaped:
+                words = replace(words, order="heap")
+            return [Found(one.relation, one.phrase, words)], _cut(prompt, one.start, one.end, [])
         return [], prompt
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
@@ -215,7 +260,7 @@ class _Search:
                 also = match["lead"].lower() == "and" and _WITH_ONE.search(before)
                 where = prompt[match.end("phrase") : match.end()]
                 left = [where.strip()] if also and not self._has_opener(clause) else []
-                each = _on_both_sides(one, where) if by else [one]
+                each = _next_to(one, where) if by else [one]
                 return each, _cut(prompt, match.start(), match.end(), left)
         return [], prompt
 
@@ -330,6 +375,16 @@ def _distributed(found: list[Found]) -> list[Found]:
     return [
         one._replace(words=replace(one.words, count=few)) if one in mixed else one for one in found
     ]
+
+
+def _next_to(one: Found, where: str) -> list[Found]:
+    """Things on both sides of the thing, or all around it."""
+    several = fillings.named(one.phrase).is_many and one.words.count == 1
+    count = CIRCLED if several else one.words.count
+    if "around" not in where.lower() or count < FEW or one.relation != "beside":
+        return _on_both_sides(one, where)
+    words = replace(one.words, count=count, order="row")
+    return [one._replace(relation="surrounding", words=words)]
 
 
 def _on_both_sides(one: Found, where: str) -> list[Found]:

@@ -10,6 +10,7 @@ Order = Literal["row", "heap", "stack", "crossed", "back to back", "face to face
 MOST = 6  # the largest exact count; more are as many as "many"
 MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING, CIRCLED = 5, 3, 7, 5, 6, 3, 6
 MIXED = 10  # of all kinds together that fill a container
+MOST_IN_CIRCLE = 12
 FIGURES = {
     word: number
     for number, word in enumerate(

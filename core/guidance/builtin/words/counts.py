@@ -30,6 +30,7 @@ from core.guidance.builtin.words.count_words import (
     MANY_WORDS,
     MOST,
     MOST_DIGITS,
+    MOST_IN_CIRCLE,
     NO_PLURAL,
     OF_PARTS,
     PAIRED,
@@ -322,8 +323,6 @@ def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counte
     count, order = _fitting(noun, stated)
     if word == "some" and noun in PAIRED:
         count = 2
-    if _number(word) > MOST:
-        tokens.notes.append(f"{word}: {count} are made.")
     for k in reversed(range(stated.end, head.begin)):
         if words[k] in LAID:
             order = order if stated.is_pile else LAID[words[k]][0]
@@ -331,6 +330,10 @@ def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counte
     order = _cut_how_it_lies(tokens, head.end) or order
     if order in PAIRS and count != 2:
         order = "row"
+    if order == "circle" and _number(word):
+        count = min(_number(word), MOST_IN_CIRCLE)
+    if _number(word) > MOST and count != _number(word):
+        tokens.notes.append(f"{word}: {count} are made.")
     tokens.cut(at, stated.end)
     if stated.is_pile:
         _leave_its_size(tokens, at)

@@ -10,7 +10,7 @@ Standard library only, so that ``run.py words`` and the panel need not load a ne
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -19,17 +19,17 @@ from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.asking import asked_for
-from core.guidance.builtin.words.companion_fit import Found, Read
+from core.guidance.builtin.words.companion_fit import Found, Read, Reader
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
-from core.guidance.builtin.words.companions import MOST, companions_in
+from core.guidance.builtin.words.companions import MOST, companions_in, one_more
 from core.guidance.builtin.words.cuts import cut_of, in_cut_words
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.fillings import in_a_vessel
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.glassware import usual_of_whole
-from core.guidance.builtin.words.idioms import in_known_words
+from core.guidance.builtin.words.idioms import in_known_words, tree_first
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.moods import mood_in
@@ -164,6 +164,7 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
+    prompt = tree_first(prompt)
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
@@ -253,22 +254,31 @@ def _parsed(
     if not noun_needed:
         return _parse_alone(prompt, False, known, ignore_unknown)
     prompt, costume = undisguised(prompt)
-    companions, rest = _companions(prompt, known, ignore_unknown, costume, room)
-    if companions:
+    readers = _readers(known, ignore_unknown)
+    companions, rest = _companions(prompt, readers, costume, room)
+    try:
+        words = _parse_alone(rest, True, known, ignore_unknown)
+    except UserError:  # the rest is not a prompt by itself
+        if not companions:
+            raise
+        return _parse_alone(prompt, True, known, ignore_unknown)
+    while len(companions) < min(room, MOST):
+        more, shorter = one_more(rest, *readers, companions, words.left_out)
         try:
-            words = _parse_alone(rest, True, known, ignore_unknown)
-        except UserError:  # the rest is not a prompt by itself
-            return _parse_alone(prompt, True, known, ignore_unknown)
+            shorter_words = _parse_alone(shorter, True, known, ignore_unknown) if more else words
+        except UserError:
+            break
+        if not more or shorter_words.noun != words.noun:
+            break
+        companions, rest, words = [*companions, *more], shorter, shorter_words
+    if companions:
         others = [(one.relation, one.words.noun) for one in companions]
         return with_companions(in_a_vessel(words, rest, others), companions)
-    return _parse_alone(prompt, True, known, ignore_unknown)
+    return words
 
 
-def _companions(
-    prompt: str, known: Vocabulary, ignore_unknown: bool, costume: Iterable[str], room: int
-) -> tuple[list[Found], str]:
-    """The companions that the prompt requests, and the prompt without them; those of a costume come
-    last."""
+def _readers(known: Vocabulary, ignore_unknown: bool) -> tuple[Reader, Callable[[str], str]]:
+    """Functions that parse a phrase by itself, and that find the thing that a text names first."""
 
     @cache
     def read(phrase: str) -> Read | None:
@@ -284,6 +294,18 @@ def _companions(
     def first_of(text: str) -> str:
         return _read(text, known, True).thing
 
+    return read, first_of
+
+
+def _companions(
+    prompt: str,
+    readers: tuple[Reader, Callable[[str], str]],
+    costume: Iterable[str],
+    room: int,
+) -> tuple[list[Found], str]:
+    """The companions that the prompt requests, and the prompt without them; those of a costume come
+    last."""
+    read, first_of = readers
     found, rest = companions_in(prompt, read, first_of)
     thing = first_of(rest)
     for one in costume if is_dressed(thing) else ():
