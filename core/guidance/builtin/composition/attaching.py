@@ -22,7 +22,7 @@ BEHIND, IN_COILS = (1.25, 1.6), (1.5, 2.2)
 LOW = 0.2  # of a skull's height: so far below its middle bones are crossed
 TREES = ("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush")
 UPPER = 0.35  # of the height: what grows is higher than this
-PEAK, WINDOW = 0.08, 3  # of the height: how far below its neighbours a place may be; cells
+PEAK, WINDOW, EDGE = 0.08, 3, 2  # of the height: how far below its neighbours a place may be; cells
 APART = 0.9  # times its width: distance of two that grow
 LOOSER = 8  # attempts, each with lower places
 BLOSSOMS = ("petals", "blossom", "bloom", "head", "heart", "center", "centre", "florets", "tepals")
@@ -30,6 +30,7 @@ STEMLESS = ("cactus", "skull", "wreath", *HEADWEAR, *TREES)  # only blossoms are
 SUNK = 0.02  # training units: overlap
 NO_CROWN = ("trunk", "pot", "roots", "stand", "base", "star")
 AROUND, OUTER = math.radians(55), 0.88  # between hanging things; of the way to the crown's edge
+HIGHER = 0.6  # cost of a unit above the crown's lowest point
 CLEAR = 0.75  # of the height below the crown: most height of what hangs
 BAR = 0.6  # quantile of a handlebar's height, and of how far back it is: the basket's back and top
 BARS = ("handlebar", "handlebars", "bars", "grips", "grip")
@@ -63,7 +64,9 @@ def _high_places(soil: Body, count: int, apart: float) -> Float[Tensor, "n 3"]:
     low, sides = soil.box[0], soil.sides
     known = heights.nan_to_num(-torch.inf)
     near = torch.nn.functional.max_pool2d(known[None], 2 * WINDOW + 1, 1, WINDOW)[0]
-    upper = known > low[2] + UPPER * sides[2]
+    # Not on the very edge.
+    inner = -torch.nn.functional.max_pool2d(-known[None], 2 * EDGE + 1, 1, EDGE)[0] > -torch.inf
+    upper = inner & (known > low[2] + UPPER * sides[2])
     upper = upper if upper.any() else known > -torch.inf
     for k in range(LOOSER):
         cells = (upper & (known >= near - PEAK * (k + 1) * sides[2])).nonzero()
@@ -105,7 +108,8 @@ def hanging(thing: Body, tree: Body, count: int) -> list[Placement]:
         angle = AROUND * math.ceil(k / 2) * (-1) ** k - math.pi / 2
         way = torch.tensor([math.cos(angle), math.sin(angle)])
         at = middle + OUTER * way * sides[:2] / 2
-        spot = spots[(spots[:, :2] - at).norm(dim=1).argmin()]
+        cost = (spots[:, :2] - at).norm(dim=1) + HIGHER * (spots[:, 2] - low[2])
+        spot = spots[cost.argmin()]
         room = CLEAR * (float(spot[2]) - ground)
         own = min(scale, room / float(thing.sides[2])) if room > 0 else scale
         body = thing.placed(Placement.of(own))
@@ -154,7 +158,7 @@ def behind(thing: Body, first: Body) -> Placement:
     place = Placement.of(sized(thing, first, *BEHIND))
     there = thing.placed(place)
     middle, mine = first.box.mean(0), there.box.mean(0)
-    near = (first.verts - middle)[:, [0, 2]].abs() < 0.2 * first.sides[[0, 2]]
+    near = (first.verts - middle)[:, [0, 2]].abs() < 0.4 * first.sides[[0, 2]]
     back = first.verts[near.all(1)]
     back = back if len(back) else first.verts
     shift = middle - mine

@@ -73,6 +73,7 @@ _ONE = re.compile(r"(?:an?|one|the|its) ", re.IGNORECASE)
 # Their parts are named as things, too: a boat's cabin, a castle's tower.
 _WITH_PARTS = frozenset(GROUPS["Vehicles"]) | frozenset(GROUPS["Aircraft and Space"])
 _WITH_PARTS |= frozenset(GROUPS["Buildings"]) - {"column"}
+LOAD = 8  # in no stated number
 _SMALL = 0.7  # times as long as the first thing: on it
 
 
@@ -93,7 +94,7 @@ def attached_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Attache
     for match in _LOAD.finditer(prompt):
         first = first_of(prompt[: match.start()])
         if first in _LOADED and named(match["phrase"]).is_many and not is_creature(named_in(match["phrase"])):
-            yield Attached("bears", match["phrase"], MANY, match.start(), match.end(), heaped=True)
+            yield Attached("bears", match["phrase"], LOAD, match.start(), match.end(), heaped=True)
     for match in _ATTACHED.finditer(prompt):
         first = first_of(prompt[: match.start()])
         phrase = match["phrase"].strip()
@@ -157,6 +158,7 @@ def by_size(first: str, phrase: str) -> Relation | None:
     are on it, larger ones next to it; None where it is a picture or a part."""
     noun = named_in(phrase)
     apart = is_creature(first) or is_pictured(first) or first in VESSELS or noun in FLAT
+    apart |= first in known_as.INSTRUMENTS and noun == "bow"  # which is for arrows
     apart |= first in _WITH_PARTS or first in known_as.EDIBLE
     if not noun or apart or noun == first or noun in SEVERAL or noun in known_as.HUNG:
         return None

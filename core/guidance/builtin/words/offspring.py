@@ -62,7 +62,10 @@ _LOOKS = (
 _FEW = (1, FEW)  # in no stated number, of a singular and of a plural
 _WORDS = sorted({*_OF, *_OF_ANY, *_SINGLE}, key=len, reverse=True)
 _COUNTS = "two|three|four|five|six|several|some|many|a few|a pair of|a couple of|a litter of|[2-6]"
-_COUNT = rf"(?:(?:its|her|his|their|the|an?|one|another)(?: own)?|{_COUNTS})"
+_COUNT = (
+    rf"(?:(?:(?:its|her|his|their|the)(?: own)? )?(?:{_COUNTS})|"
+    r"(?:its|her|his|their|the|an?|one|another)(?: own)?)"
+)
 _HOLDING = "holding|carrying|hugging|cuddling|cradling|embracing|picking up"
 _JOIN = (
     r"(?:who |that |which |and )?(?:is |are )?"
