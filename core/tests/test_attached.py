@@ -97,7 +97,10 @@ def test_an_animal_coiled_around_something_sleeps():
 
 
 def test_what_grows_is_on_top_and_apart():
-    log, small = box((-1, -0.3, -0.3), (1, 0.3, 0.3), "log"), box((0, 0, 0), (0.2, 0.2, 0.2), "mushroom")
+    log, small = (
+        box((-1, -0.3, -0.3), (1, 0.3, 0.3), "log"),
+        box((0, 0, 0), (0.2, 0.2, 0.2), "mushroom"),
+    )
     places = growing(small, log, 3)
     grown = [small.placed(place) for place in places]
     for one in grown:

@@ -52,9 +52,7 @@ def growing(thing: Body, soil: Body, count: int) -> list[Placement]:
         foot[2] = blossom[:, 2].amin() if len(blossom) else borne.box.mean(0)[2]
     spots = _high_places(soil, count, wide)
     down = torch.tensor([0.0, 0.0, SUNK])
-    return [
-        Placement.of(place.scale).moved(spot - foot - down) for spot in spots
-    ]
+    return [Placement.of(place.scale).moved(spot - foot - down) for spot in spots]
 
 
 def _high_places(soil: Body, count: int, apart: float) -> Float[Tensor, "n 3"]:

@@ -21,7 +21,17 @@ AT_CROSSING = 0.12  # of the height: the points whose thickness keeps crossed th
 OVERLAP = 0.12  # of that thickness
 ENDS = 0.25  # of the height: the ends that may stand out to one side
 STANDS_OUT = 1.3  # times as far to one side as to the other
-CLOSER = (1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6)  # times as far from the middle as their boxes touch
+CLOSER = (
+    1.0,
+    0.95,
+    0.9,
+    0.85,
+    0.8,
+    0.75,
+    0.7,
+    0.65,
+    0.6,
+)  # times as far from the middle as their boxes touch
 SOME = 3000  # points
 QUARTER = math.pi / 2
 

@@ -19,54 +19,69 @@ from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.sizes import usual
 
 TREES = frozenset(("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush"))
-# Things that plants and mushrooms grow on, and what does.
+# Things that plants and mushrooms grow on or small animals are on, and these.
 _SOILS = TREES | {"cactus", "log", "stump", "boulder", "skull", "island", "tombstone", "wreath"}
-_GROWING = known_as.FLOWERS | {"mushroom", "cactus", "potted plant", "snail", "ladybug", "butterfly"}
-_GROWING |= {"bird", "bee", "acorn", "seashell", "starfish"}
-HATS = known_as.HEADWEAR - {"crown", "chef hat", "beanie", "motorcycle helmet"} | {"crown"}
-_TRIM = known_as.FLOWERS | {"feather", "star", "heart", "goggles", "gem", "skull", "leaf"}
-_READ = frozenset(("book", "notebook", "clipboard", "newspaper", "envelope", "scroll", "laptop"))
-_WRITING = frozenset("pen pencil feather key magnifying-glass candle sunglasses".split()) | {
+_GROWING = known_as.FLOWERS | frozenset(
+    (
+        "mushroom, cactus, potted plant, snail, ladybug, butterfly, bird, bee, acorn, seashell, "
+        "starfish"
+    ).split(", ")
+)
+_FRUIT = frozenset(GROUPS["Fruit and Vegetables"]) | {"christmas bauble"}  # on trees
+_HATS = known_as.HEADWEAR - {"chef hat", "beanie", "motorcycle helmet"}
+_ON_HATS = known_as.FLOWERS | {"feather", "goggles", "gem"}
+_ON_TIPS = _ON_HATS | {"star", "heart", "skull", "leaf"}  # "on top"
+_READ = frozenset("book notebook clipboard newspaper envelope scroll".split())
+_WRITING = frozenset("pen pencil paintbrush feather key flower rose".split()) | {
     "magnifying glass",
-    "paintbrush",
-    "flower",
-    "rose",
 }
 # Things with a bed or a deck, on which loads lie.
-_LOADED = frozenset(("pickup truck", "dump truck", "trailer", "cargo ship", "raft", "sled", "pallet"))
+_LOADED = frozenset(
+    ("pickup truck", "dump truck", "trailer", "cargo ship", "raft", "sled", "pallet")
+)
 _HANDLEBARS = frozenset(("bicycle", "motorcycle", "scooter", "tricycle"))
 _CARRIERS = frozenset(("basket", "lantern", "crate", "cardboard box", "backpack", "flower pot"))
 _BACKED = frozenset(("shield", "skull", "helmet", "crown", "viking helmet"))
-# The inside of these is seen: what comes with them is in them.
+# The inside of these is visible: what comes with them is in them.
 _SHOWN_IN = frozenset(("aquarium", "snow globe", "glass dome", "crystal ball", "light bulb", "jar"))
 _BALLS = frozenset(("ball", "baseball", "tennis ball", "softball"))
 # Words that end a phrase about another thing.
 _ENDS = (
-    r"on|in|at|of|and|with|that|which|growing|hanging|sitting|lying|resting|perched|standing|coming|"
-    r"attached|stuck|sprouting|dangling|suspended|inside|behind"
+    r"on|in|at|of|and|with|that|which|growing|hanging|sitting|lying|resting|perched|standing|"
+    r"coming|attached|stuck|sprouting|dangling|suspended|inside|behind"
 )
 _PHRASE = rf"(?P<phrase>(?:(?!(?:{_ENDS})\b)[\w'-]+ ?){{1,5}})(?<! )"
-_WITHS = r"(?P<way>with|and|covered (?:in|with)|full of|that has|has|having|decorated with)"
-_IT = r"(?:it|them|its|the|a|one)"
+_HAVING = ("with", "and", "has", "that has", "having")
+_COVERED = ("covered in", "covered with", "full of", "decorated with")
+_POSTURE = "(?: (?:sitting|perched|standing|resting|sleeping|lying|stuck))?"
+_IT = r"(?:it|them|its|the|an?|one)"
+# Where they are; "" where that is not stated.
+_WHERE = {
+    "hanging": r" (?:hanging|dangling|suspended)(?: down)? (?:from|off|in|on) "
+    rf"{_IT}(?: of its)?(?: [\w-]+)?(?: branch(?:es)?)?\b",
+    "growing": r" (?:growing|sprouting|blooming)(?: (?:out|up))?(?: (?:on|of|from|out of|over|in) "
+    rf"{_IT}(?: (?:top|sides?|branches|surface|bark))?)?\b",
+    "behind": r" (?:crossed )?behind (?:it|them)\b",
+    "front": r" (?:attached )?(?:on|at|to|in) (?:the|its) (?:front|handlebars?|rack|back)\b",
+    "lid": rf"{_POSTURE} on (?:the|its|an?|one of its) "
+    r"(?:lid|cover|branch|branches|canopy|chimney|spout|roof|handle|hood|bonnet)\b",
+    "within": r" in(?:side)? (?:it|its palm)\b",
+    "top": rf"{_POSTURE} on (?:the )?top\b",
+    "on": rf"{_POSTURE} (?:on|to) (?:it|them|(?:its|the) (?:side|brim|band))\b",
+}
 _ATTACHED = re.compile(
-    rf"(?:^|(?<= )|,? ){_WITHS} {_PHRASE}(?P<where>"
-    rf"(?P<hanging>(?: (?:hanging|dangling|suspended))(?: down)? (?:from|off|in|on) {_IT}"
-    r"(?: of its)?(?: [\w-]+)?(?: branch(?:es)?)?\b)|"
-    rf"(?P<growing>(?: (?:growing|sprouting|blooming))(?: (?:out|up))?(?: (?:on|of|from|out of|over|in) "
-    rf"{_IT}(?: (?:top|sides?|branches|surface|bark))?)?\b)|"
-    r"(?P<behind> (?:crossed )?behind (?:it|them)\b)|"
-    r"(?P<front> (?:attached )?(?:on|at|to|in) (?:the|its) (?:front|handlebars?|rack|back)\b)|"
-    rf"(?P<lid>(?: (?:sitting|perched|standing|resting|sleeping|lying))? on (?:the|its|an?|one of its) "
-    r"(?:lid|cover|branch|branches|canopy|chimney|spout|roof|handle|hood|bonnet)\b)|"
-    r"(?P<within> in(?:side)? (?:it|its palm)\b)|"
-    r"(?P<on>(?: (?:sitting|perched|resting|lying|stuck))?(?: (?:on|to) (?:it|them|its side|the side|the brim|"
-    r"its brim|the band|top|the top))\b)|)(?=$|[,.;!?]| and\b| with\b)",
+    rf"(?:^|(?<= )|,? )(?P<way>{'|'.join((*_HAVING, *_COVERED))}) {_PHRASE}"
+    rf"(?:{'|'.join(f'(?P<{name}>{rule})' for name, rule in _WHERE.items())}|)"
+    r"(?=$|[,.;!?]| and\b| with\b)",
     re.IGNORECASE,
 )
+_LOADS = (
+    r"carrying|hauling|transporting|delivering|(?:loaded(?: up)?|filled|piled(?: high)?|stacked) "
+    r"with|full of|with an? (?:load|cargo|bed|pile|stack)(?: full)? of|with"
+)
 _LOAD = re.compile(
-    r" (?:carrying|hauling|transporting|delivering|(?:loaded(?: up)?|filled|piled(?: high)?|stacked)"
-    r" with|full of|with an? (?:load|cargo|bed|pile|stack)(?: full)? of|with) "
-    rf"{_PHRASE}(?: (?:in|on) (?:the|its) (?:back|bed|deck|trailer))?(?=$|[,.;!?]| and\b)",
+    rf" (?:{_LOADS}) {_PHRASE}(?: (?:in|on) (?:the|its) (?:back|bed|deck|trailer))?"
+    r"(?=$|[,.;!?]| and\b)",
     re.IGNORECASE,
 )
 _ONE = re.compile(r"(?:an?|one|the|its) ", re.IGNORECASE)
@@ -92,64 +107,51 @@ class Attached(NamedTuple):
 def attached_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Attached]:
     """The small things that the prompt's first thing may have so."""
     for match in _LOAD.finditer(prompt):
-        first = first_of(prompt[: match.start()])
-        if first in _LOADED and named(match["phrase"]).is_many and not is_creature(named_in(match["phrase"])):
-            yield Attached("bears", match["phrase"], LOAD, match.start(), match.end(), heaped=True)
+        phrase, noun = match["phrase"], named_in(match["phrase"])
+        loads = named(phrase).is_many and not is_creature(noun)
+        if loads and first_of(prompt[: match.start()]) in _LOADED:
+            yield Attached("bears", phrase, LOAD, match.start(), match.end(), heaped=True)
     for match in _ATTACHED.finditer(prompt):
-        first = first_of(prompt[: match.start()])
-        phrase = match["phrase"].strip()
+        first, phrase = first_of(prompt[: match.start()]), match["phrase"].strip()
         noun = named_in(phrase)
-        if not first or not noun or noun == first or not ends_in_name(phrase, noun):
+        named_so = bool(noun) and noun != first and ends_in_name(phrase, noun)
+        if not (first and named_so) or (is_creature(first) and first != "skull"):
             continue
-        if is_creature(first) and first not in ("skull",):
-            continue
-        found = _how(first, noun, match)
-        if found:
+        if found := _how(first, noun, match):
             relation, many = found
-            top = bool(match["on"]) and match["on"].endswith("top")
-            yield Attached(relation, phrase, many, match.start(), match.end(), is_top=top or relation == "behind")
+            added = bool(match["top"]) or relation == "behind"
+            yield Attached(relation, phrase, many, match.start(), match.end(), is_top=added)
 
 
 def _how(first: str, noun: str, match: re.Match[str]) -> tuple[Relation, int] | None:
     """The relation, and the number where none is stated; None: it is read otherwise."""
-    covered = MANY if "covered" in match["way"] else FEW
-    plain = not match["where"] or bool(match["on"])
-    if match["hanging"]:
-        framed = noun == "swing"  # it has its own frame
-        return ("beside" if framed else "hanging", FEW) if first in TREES else None
-    if match["behind"]:
-        return ("behind", 2) if noun in known_as.POINTED | {"bone"} else None
-    if first in _BACKED and match["phrase"].lower().startswith(("crossed", "two crossed", "a pair of c")):
-        return ("behind", 2)
-    if match["front"]:
-        return ("front", 1) if first in _HANDLEBARS and noun in _CARRIERS else None
-    if first in _HANDLEBARS and plain and noun in _CARRIERS:
-        return ("front", 1)
-    if first == "glove" and noun in _BALLS and (plain or match["within"]):
-        return ("front", 1)
-    if match["lid"]:
-        pictured = noun in FLAT
-        return None if pictured else ("bears", 1)
-    fruit = noun in GROUPS["Fruit and Vegetables"] or noun in ("christmas bauble",)
-    if first in TREES and (plain or match["growing"]) and fruit:
-        return ("growing", CIRCLED)
-    if first in _SOILS and noun in _GROWING and (plain or match["growing"]):
-        return ("growing", covered)
-    if first in HATS and noun in _TRIM and (match["on"] or "").endswith("top"):
+    where = next((name for name in _WHERE if match[name]), "")
+    crossed = re.match("(?:two |a pair of )?crossed ", match["phrase"], re.IGNORECASE)
+    if where == "hanging" and first in TREES:  # a swing has its own frame
+        return ("beside" if noun == "swing" else "hanging", FEW)
+    if where == "lid" and noun not in FLAT:
         return ("bears", 1)
-    if first in HATS and noun in _TRIM - {"star", "heart", "skull", "leaf"} and plain:
-        return ("front", 1)
-    if first in _READ and noun in _WRITING and not match["where"]:
-        return ("front", 1)
-    if first in _SHOWN_IN and not match["where"] and may_enclose(first, noun):
-        return ("bears", FEW)
-    return None
+    covered = MANY if match["way"].lower() in _COVERED else FEW
+    rules: tuple[tuple[bool, str, Relation, int], ...] = (
+        (noun in known_as.POINTED | {"bone"}, "behind", "behind", 2),
+        (first in _BACKED and bool(crossed), ",behind", "behind", 2),
+        (first in _HANDLEBARS and noun in _CARRIERS, ",front,on,top", "front", 1),
+        (first == "glove" and noun in _BALLS, ",within,on", "front", 1),
+        (first in TREES and noun in _FRUIT, ",growing,on", "growing", CIRCLED),
+        (first in _SOILS and noun in _GROWING, ",growing,on,top", "growing", covered),
+        (first in _HATS and noun in _ON_TIPS, "top", "bears", 1),
+        (first in _HATS and noun in _ON_HATS, ",on", "front", 1),
+        (first in _READ and noun in _WRITING, "", "front", 1),
+        (first in _SHOWN_IN and may_enclose(first, noun), "", "bears", FEW),
+    )
+    fits = (rule[2:] for rule in rules if rule[0] and where in rule[1].split(","))
+    return next(fits, None)
 
 
 def others_in(prompt: str) -> Iterator[tuple[str, int, int]]:
-    """The phrases behind "with" and "and", and their places."""
+    """The phrases behind "with" and "and" without a place, and where they are."""
     for match in _ATTACHED.finditer(prompt):
-        if not match["where"] and match["way"].lower() in ("with", "and", "has", "that has", "having"):
+        if match["way"].lower() in _HAVING and not any(match[name] for name in _WHERE):
             yield match["phrase"].strip(), match.start(), match.end()
 
 

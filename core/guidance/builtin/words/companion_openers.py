@@ -10,7 +10,7 @@ from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.tokens import DOING, LONGEST
 
 # The relation of the first thing to the other: it is on it or in it, wears it or holds it, bears it
-# on top of itself, or is next to it; the other hangs or grows on it, or is behind it or at its front;
+# on top of itself, or is next to it; the other hangs or grows on it, is behind it or at its front;
 # the first is coiled around the other; the others are all around the first.
 Relation = Literal[
     "on",
@@ -117,7 +117,11 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
         r"sipping(?: from)?|reading|reads) ",
         False,
     ),
-    ("around", rf"{_BEING}(?P<verb>{_COILED})(?: (?:up|tightly|itself))* (?:around|round|about) ", False),
+    (
+        "around",
+        rf"{_BEING}(?P<verb>{_COILED})(?: (?:up|tightly|itself))* (?:around|round|about) ",
+        False,
+    ),
     ("beside", rf"{_BEING}(?P<verb>{_TOWARDS}) ", False),
     ("beside", rf"{_BEING}(?P<verb>{_TO_ANOTHER})", False),
     ("in", rf"{_BEING}{_DOING}(?:inside of|inside|into|within|in) {_NOT_IT}", True),

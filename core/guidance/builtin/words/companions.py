@@ -156,7 +156,7 @@ class _Search:
                 return each, _cut(prompt, one.start, one.end, [])
         return [], prompt
 
-    def attached(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+    def attached(self, prompt: str, _: list[Found]) -> tuple[list[Found], str]:
         """ "With mushrooms growing on it", "with lanterns hanging from its branches"."""
         for one in islice(attached_in(prompt, self._first_of), LOOKED_AT):
             many = fillings.named(one.phrase)

@@ -85,9 +85,16 @@ LYING: dict[str, Order] = {
     **dict.fromkeys(("on top of each other", "on top of one another", "in a stack"), "stack"),
     **dict.fromkeys(("stacked",), "stack"),
     **dict.fromkeys(("piled", "in a pile", "in a heap"), "heap"),
-    **dict.fromkeys(("crossed over each other", "crossing each other", "crossed", "crossing"), "crossed"),
     **dict.fromkeys(
-        ("standing back to back", "sitting back to back", "back to back", "facing away from each other"),
+        ("crossed over each other", "crossing each other", "crossed", "crossing"), "crossed"
+    ),
+    **dict.fromkeys(
+        (
+            "standing back to back",
+            "sitting back to back",
+            "back to back",
+            "facing away from each other",
+        ),
         "back to back",
     ),
     **dict.fromkeys(_FACING, "face to face"),

@@ -43,7 +43,7 @@ _OF = {
     "calf": _CALVING,
     "tadpole": "frog",
 }
-_OF_ANY = "baby young cub pup hatchling newborn offspring child infant".split() + ["little one"]
+_OF_ANY = (*"baby young cub pup hatchling newborn offspring child infant".split(), "little one")
 _MANY = {
     "baby": "babies",
     "puppy": "puppies",
@@ -71,7 +71,8 @@ _JOIN = (
     r"(?:who |that |which |and )?(?:is |are )?"
     r"(?:with|and|plus|alongside|accompanied by|followed by|surrounded by|next to|beside|near|"
     r"(?:lead|feed|nurs|nuzzl|protect|guard|watch|lick|groom|teach|suckl|bath|warm|mother)ing"
-    rf"(?: over)?|looking (?:after|at)|caring for|taking care of|standing over|(?P<holds>{_HOLDING}))"
+    r"(?: over)?|looking (?:after|at)|caring for|taking care of|standing over|"
+    rf"(?P<holds>{_HOLDING}))"
 )
 _PLACED = re.compile(
     r"(?: (?:riding|sitting|sleeping|lying|standing|clinging|perched))? "
@@ -138,7 +139,9 @@ def young_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Young]:
         end = match.end("young") + (rest.index(name) + len(name) if name else 0)
         place = _PLACED.match(prompt, end)
         end = place.end() if place else end
-        count = _count_of(match["count"], word in _SINGLE or (bool(name) and len(singulars(name)) > 1))
+        count = _count_of(
+            match["count"], word in _SINGLE or (bool(name) and len(singulars(name)) > 1)
+        )
         looks = "" if named_in(match["looks"]) else match["looks"]
         phrases = f"a {match['looks']}{single}", f"a {looks}baby {first}"
         relation = _relation(match["holds"] if count == 1 else None, place)

@@ -29,12 +29,12 @@ from core.guidance.builtin.words.fillings import in_a_vessel
 from core.guidance.builtin.words.findings import Findings
 from core.guidance.builtin.words.gathering import in_a_row
 from core.guidance.builtin.words.glassware import usual_of_whole
-from core.guidance.builtin.words.idioms import in_known_words, tree_first
+from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.moods import mood_in
-from core.guidance.builtin.words.part_names import looks_of, own_name
 from core.guidance.builtin.words.offspring import parents_named
+from core.guidance.builtin.words.part_names import looks_of, own_name
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
 from core.guidance.builtin.words.poses import in_a_word, pose_of
@@ -47,6 +47,7 @@ from core.guidance.builtin.words.prompt_errors import (
     unknown_error,
 )
 from core.guidance.builtin.words.reading import Reading
+from core.guidance.builtin.words.rephrasing import tree_first, turned_around
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
@@ -164,7 +165,7 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = tree_first(prompt)
+    prompt = tree_first(apart_from_texts(prompt, turned_around))
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
