@@ -17,6 +17,7 @@ from core.guidance.builtin.words.glassware import VESSELS, may_enclose
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.whereabouts import TOPS
 
 TREES = frozenset(("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush"))
 # Things that plants and mushrooms grow on or small animals are on, and these.
@@ -41,7 +42,6 @@ _LOADED = frozenset(
 )
 _HANDLEBARS = frozenset(("bicycle", "motorcycle", "scooter", "tricycle"))
 _CARRIERS = frozenset(("basket", "lantern", "crate", "cardboard box", "backpack", "flower pot"))
-_BACKED = frozenset(("shield", "skull", "helmet", "crown", "viking helmet"))
 # The inside of these is visible: what comes with them is in them.
 _SHOWN_IN = frozenset(("aquarium", "snow globe", "glass dome", "crystal ball", "light bulb", "jar"))
 _BALLS = frozenset(("ball", "baseball", "tennis ball", "softball"))
@@ -132,13 +132,14 @@ def _how(first: str, noun: str, match: re.Match[str]) -> tuple[Relation, int] | 
     if where == "lid" and noun not in FLAT:
         return ("bears", 1)
     covered = MANY if match["way"].lower() in _COVERED else FEW
+    grows = _GROWING - known_as.FLOWERS if first in TREES else _GROWING  # it is in blossom
     rules: tuple[tuple[bool, str, Relation, int], ...] = (
         (noun in known_as.POINTED | {"bone"}, "behind", "behind", 2),
-        (first in _BACKED and bool(crossed), ",behind", "behind", 2),
+        (bool(crossed) and _has_a_back(first), ",behind", "behind", 2),
         (first in _HANDLEBARS and noun in _CARRIERS, ",front,on,top", "front", 1),
         (first == "glove" and noun in _BALLS, ",within,on", "front", 1),
         (first in TREES and noun in _FRUIT, ",growing,on", "growing", CIRCLED),
-        (first in _SOILS and noun in _GROWING, ",growing,on,top", "growing", covered),
+        (first in _SOILS and noun in grows, ",growing,on,top", "growing", covered),
         (first in _HATS and noun in _ON_TIPS, "top", "bears", 1),
         (first in _HATS and noun in _ON_HATS, ",on", "front", 1),
         (first in _READ and noun in _WRITING, "", "front", 1),
@@ -146,6 +147,12 @@ def _how(first: str, noun: str, match: re.Match[str]) -> tuple[Relation, int] | 
     )
     fits = (rule[2:] for rule in rules if rule[0] and where in rule[1].split(","))
     return next(fits, None)
+
+
+def _has_a_back(first: str) -> bool:
+    """Whether crossed things may be behind it: they are on a table, and printed on a flag."""
+    solid = first in ("shield", "barrel", "crate", "tombstone") or not is_pictured(first)
+    return solid and first not in TOPS and first != "flag"
 
 
 def others_in(prompt: str) -> Iterator[tuple[str, int, int]]:

@@ -126,6 +126,8 @@ def fitting(
         "around": lambda: is_creature(first) and other != first,
     }
     fits = relation not in is_so or is_so[relation]()
+    if relation == "around" and other == "log":
+        relation = "on"
     if relation == "around" and not known_as.may_coil(first, other):
         notes = (f"{with_article('noun', first)} keeps its own form: the {other} is next to it.",)
         relation, words = "beside", replace(words, notes=(*words.notes, *notes))

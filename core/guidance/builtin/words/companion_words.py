@@ -115,7 +115,18 @@ LARGEST_BUILDING = 8.0  # times as long as what is on it
 # A snake is coiled around these.
 _COILED_AROUND = POINTED | {
     *("staff", "torch", "candle", "column", "magic wand", "street lamp", "signpost", "flute"),
-    *("umbrella", "baseball bat", "bottle", "goblet", "wine glass", "war hammer", "mace"),
+    *(
+        "tree",
+        "oak tree",
+        "palm",
+        "umbrella",
+        "baseball bat",
+        "bottle",
+        "goblet",
+        "wine glass",
+        "war hammer",
+        "mace",
+    ),
 }
 # Things that others stand or lie on, as what is known: "a parrot on a perch".
 STAND_INS = {

@@ -100,6 +100,11 @@ _BOTH = re.compile(
 _ADULT_NAME = re.compile(
     rf"(?<![\w-]){_ADULT} (?=(?P<name>[\w-]+(?: [\w-]+){{0,2}}))", re.IGNORECASE
 )
+_NAME_ADULT = re.compile(
+    rf"(?P<name>\b[\w-]+) {_ADULT}(?= (?:with|and|who|that|her|his|its|[a-z]+ing)\b|$)",
+    re.IGNORECASE,
+)
+_SOW = re.compile(r"\bsow(?= [^,.]*piglet)", re.IGNORECASE)
 
 
 class Young(NamedTuple):
@@ -120,6 +125,10 @@ def parents_named(prompt: str) -> str:
     if both and is_animal(named_in(name := _named_at(both["name"]))):
         rest = prompt[both.end("young") :]
         return f"{both['article']}{name} and a {both['young']}{rest}"
+    prompt = _NAME_ADULT.sub(
+        lambda one: one["name"] if is_animal(named_in(one["name"])) else one[0], prompt
+    )
+    prompt = _SOW.sub("pig", prompt)
     return _ADULT_NAME.sub(lambda one: "" if is_animal(named_in(one["name"])) else one[0], prompt)
 
 

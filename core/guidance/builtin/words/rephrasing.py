@@ -26,7 +26,7 @@ _MANY = (
     r"(?:(?:two|three|four|five|six|seven|eight|ten|twelve|several|some|many|"
     r"a (?:circle|ring|group) of|\d) )?(?:[\w-]+ ){0,2}?[\w-]+s"
 )
-_SET = r"(?:(?:arranged|sitting|standing|placed|gathered|set|seated|lying|all) )?"
+_SET = r"(?:(?:arranged|sitting|standing|placed|gathered|set|seated|lying|growing|all) )?"
 _NO_FREIGHT = "".join(
     rf"(?<!{sort} )" for sort in "fire dump garbage pickup pick-up tow toy food cream".split()
 )
