@@ -18,6 +18,7 @@ from core.guidance.builtin.words.companion_words import FLOWERS, HEADWEAR, POINT
 # Of the first thing's longest side, least and most.
 GROWN, ON_TREES, HUNG, AT_FRONT, TRIM = (0.18, 0.5), (0.1, 0.3), (0.15, 0.5), (0.2, 0.6), (0.3, 0.6)
 NEXT_TO = (0.2, 1.2)
+BLOSSOM = (0.18, 0.26)
 BEHIND, IN_COILS = (1.25, 1.6), (1.5, 2.2)
 LOW = 0.2  # of a skull's height: so far below its middle bones are crossed
 TREES = ("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush")
@@ -25,8 +26,7 @@ UPPER = 0.35  # of the height: what grows is higher than this
 PEAK, WINDOW, EDGE = 0.08, 3, 2  # of the height: how far below its neighbours a place may be; cells
 APART = 0.9  # times its width: distance of two that grow
 LOOSER = 8  # attempts, each with lower places
-BLOSSOMS = ("petals", "blossom", "bloom", "head", "heart", "center", "centre", "florets", "tepals")
-STEMLESS = ("cactus", "skull", "wreath", *HEADWEAR, *TREES)  # only blossoms are on these
+DEEP = 0.12  # of its height: how deep a blossom without a stem is in what it grows on
 SUNK = 0.02  # training units: overlap
 NO_CROWN = ("trunk", "pot", "roots", "stand", "base", "star")
 AROUND, OUTER = math.radians(55), 0.88  # between hanging things; of the way to the crown's edge
@@ -34,7 +34,9 @@ HIGHER = 0.6  # cost of a unit above the crown's lowest point
 CLEAR = 0.75  # of the height below the crown: most height of what hangs
 BAR = 0.6  # quantile of a handlebar's height, and of how far back it is: the basket's back and top
 BARS = ("handlebar", "handlebars", "bars", "grips", "grip")
-BAND, CROWN = 0.3, 0.55  # of a hat's height: where its band is; as wide as here
+# Of a hat's height: the top of its brim; its band; how wide its crown is is measured here.
+BRIM, BAND, CROWN = 0.15, 0.3, 0.55
+CURLED = {"cowboy hat": 0.88}  # above a brim that is curled up
 OFF_NECK = 0.3  # of the coils' depth: from their middle towards the back
 
 Spread = Callable[[Body, Body, int], list[Placement]]
@@ -43,16 +45,20 @@ Spread = Callable[[Body, Body, int], list[Placement]]
 def growing(thing: Body, soil: Body, count: int) -> list[Placement]:
     """The placements of things that grow on another, each at a high place of its own."""
     sizes = ON_TREES if soil.words.noun in TREES else GROWN
-    place = Placement.of(sized(thing, soil, *sizes))
+    place = Placement.of(sized(thing, soil, *(BLOSSOM if _is_blossom(thing) else sizes)))
     borne = thing.placed(place)
     wide = APART * float(borne.sides[:2].max())
     foot = torch.cat([borne.box.mean(0)[:2], borne.box[0, 2:]])
-    if thing.words.noun in FLOWERS and soil.words.noun in STEMLESS:
-        blossom = borne.of_parts(*BLOSSOMS)
-        foot[2] = blossom[:, 2].amin() if len(blossom) else borne.box.mean(0)[2]
+    if _is_blossom(thing):
+        foot[2] += DEEP * borne.sides[2]
     spots = _high_places(soil, count, wide)
     down = torch.tensor([0.0, 0.0, SUNK])
     return [Placement.of(place.scale).moved(spot - foot - down) for spot in spots]
+
+
+def _is_blossom(thing: Body) -> bool:
+    """Whether it is a flower without its stem."""
+    return thing.words.noun in FLOWERS and bool(thing.words.absent)
 
 
 def _high_places(soil: Body, count: int, apart: float) -> Float[Tensor, "n 3"]:
@@ -188,11 +194,11 @@ def at_front(thing: Body, first: Body) -> Placement:
 
 def _at_hat(thing: Body, hat: Body) -> Placement:
     """A tall thing upright at the hat's side, another in front of its crown."""
-    place = Placement.of(sized(thing, hat, *TRIM))
+    place = Placement.of(sized(thing, hat, *(BLOSSOM if _is_blossom(thing) else TRIM)))
     there = thing.placed(place)
     tall = float(there.sides[2]) > 1.4 * float(there.sides[:2].min())
     z = float(hat.box[0, 2] + BAND * hat.sides[2])
-    above = float(hat.box[0, 2] + CROWN * hat.sides[2])
+    above = float(hat.box[0, 2] + CURLED.get(hat.words.noun, CROWN) * hat.sides[2])
     ring = hat.verts[(hat.verts[:, 2] - above).abs() < 0.06 * hat.sides[2]]
     ring = ring if len(ring) else hat.verts
     middle, mine = (ring.amin(0) + ring.amax(0)) / 2, there.box.mean(0)
@@ -201,7 +207,12 @@ def _at_hat(thing: Body, hat: Body) -> Placement:
     if tall:
         x = ring[:, 0].amax() - SUNK - there.box[0, 0]
         return place.moved(torch.stack([x, middle[1] - mine[1], z - there.box[0, 2]]))
-    y = ring[:, 1].amin() + SUNK - there.box[1, 1]
+    high = float(there.sides[2])
+    z = max(z, float(hat.box[0, 2]) + BRIM * float(hat.sides[2]) + high / 2)
+    before = (hat.verts[:, 0] - middle[0]).abs() < there.sides[0] / 2
+    before &= (hat.verts[:, 2] - z).abs() < high / 4
+    front = hat.verts[before] if before.any() else ring
+    y = front[:, 1].amin() + SUNK - there.box[1, 1]
     return place.moved(torch.stack([middle[0] - mine[0], y, z - mine[2]]))
 
 

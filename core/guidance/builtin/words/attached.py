@@ -5,6 +5,7 @@ Standard library only.
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 from core.guidance.builtin.nouns import GROUPS
@@ -15,8 +16,10 @@ from core.guidance.builtin.words.emblems import FLAT
 from core.guidance.builtin.words.fillings import named
 from core.guidance.builtin.words.glassware import VESSELS, may_enclose
 from core.guidance.builtin.words.living import is_creature
+from core.guidance.builtin.words.part_names import looks_of
 from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.whereabouts import TOPS
 
 TREES = frozenset(("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush"))
@@ -28,6 +31,7 @@ _GROWING = known_as.FLOWERS | frozenset(
         "starfish"
     ).split(", ")
 )
+_STEMLESS = known_as.HEADWEAR | {"cactus", "skull", "wreath"}
 _FRUIT = frozenset(GROUPS["Fruit and Vegetables"]) | {"christmas bauble"}  # on trees
 _HATS = known_as.HEADWEAR - {"chef hat", "beanie", "motorcycle helmet"}
 _ON_HATS = known_as.FLOWERS | {"feather", "goggles", "gem"}
@@ -160,6 +164,14 @@ def others_in(prompt: str) -> Iterator[tuple[str, int, int]]:
     for match in _ATTACHED.finditer(prompt):
         if match["way"].lower() in _HAVING and not any(match[name] for name in _WHERE):
             yield match["phrase"].strip(), match.start(), match.end()
+
+
+def without_stem(first: str, words: Words) -> Words:
+    """A flower as it is on a cactus or a hat: only its blossom."""
+    if words.noun not in known_as.FLOWERS or first not in _STEMLESS:
+        return words
+    stems = (part for part in ("stalk", "stem", "leaves") if part in looks_of(words.noun))
+    return replace(words, absent=(*words.absent, *stems))
 
 
 def by_size(first: str, phrase: str) -> Relation | None:

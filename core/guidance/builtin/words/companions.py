@@ -12,7 +12,7 @@ from itertools import islice
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
-from core.guidance.builtin.words.attached import attached_in, by_size, others_in
+from core.guidance.builtin.words.attached import attached_in, by_size, others_in, without_stem
 from core.guidance.builtin.words.companion_fit import (
     Found,
     Reader,
@@ -164,7 +164,7 @@ class _Search:
             first = self._first_of(prompt[: one.start])
             if got is None or (is_part(got.entry, first) and not one.is_top):
                 continue
-            words = got.words
+            words = without_stem(first, got.words)
             if many.is_many and words.count == 1:
                 words = replace(words, count=one.many)
             if one.heaped:
