@@ -22,7 +22,7 @@ from core.guidance.builtin.words.companion_words import (
     POINTED,
     PUT_DOWN,
 )
-from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.living import is_animal, is_creature
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
 FOOT = 0.08  # of a thing's height: lower parts are its feet
@@ -103,7 +103,8 @@ def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placem
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
     to = torch.stack([torch.zeros(()), middle[1] - mine[1], (other.box - there.box)[0, 2]])
-    near = _next_to(there.placed(Placement.of().moved(to)), row)
+    close = is_creature(other.words.noun)
+    near = _next_to(there.placed(Placement.of().moved(to)), row) if close else row.box
     if on_left:
         side = near[0, 0] + TOUCHING_SIDES - there.box[1, 0]
     else:

@@ -181,6 +181,7 @@ def by_size(first: str, phrase: str) -> Relation | None:
     apart = is_creature(first) or is_pictured(first) or first in VESSELS or noun in FLAT
     apart |= first in known_as.INSTRUMENTS and noun == "bow"  # which is for arrows
     apart |= first in _WITH_PARTS or first in known_as.EDIBLE
+    apart |= known_as.is_dressed(first) and first not in GROUPS["Plants"]  # a robot's screen
     if not noun or apart or noun == first or noun in SEVERAL or noun in known_as.HUNG:
         return None
     if not _ONE.match(phrase) or not ends_in_name(phrase, noun):
