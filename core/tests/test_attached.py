@@ -46,6 +46,9 @@ def others(prompt: str) -> list[str]:
         ("a baseball glove with a ball in it", "glove", ["front 1 baseball"]),
         ("a journal with a pen", "notebook", ["front 1 pen"]),
         ("a bicycle with a basket on the front", "bicycle", ["front 1 basket"]),
+        ("a katana on a wooden stand", "katana", ["on 1 coffee table"]),
+        ("a snake coiled around a tree", "snake", ["around 1 tree"]),
+        ("a barrel with two crossed swords", "barrel", ["behind 2 sword"]),
         ("a terrarium with a turtle", "aquarium", ["bears 1 turtle"]),
         ("a truck carrying logs", "pickup truck", ["bears 8 log"]),
         ("skull and crossbones", "skull", ["behind 2 bone"]),
@@ -80,10 +83,18 @@ def test_small_things_have_a_place(prompt: str, thing: str, found: list[str]):
         "a chest with a heart on its lid",
         "a boulder with moss",
         "a hat with a ribbon",
+        "a robot with a screen",
+        "a cherry tree with pink blossoms",
     ],
 )
 def test_parts_and_prints_are_no_other_things(prompt: str):
     assert parse(prompt).companions == ()
+
+
+def test_a_flower_on_a_cactus_has_no_stem():
+    (flower,) = parse("a cactus with pink flowers").companions
+    (on_rock,) = parse("a rock with moss and a flower").companions
+    assert flower.words.absent == ("stalk",) and on_rock.words.absent == ()
 
 
 def test_what_stands_in_for_another_thing_is_noted():
@@ -162,6 +173,16 @@ def test_a_load_is_on_the_bed():
     assert (load.box.mean(0)[:2] > bed.box[0, :2]).all()
     assert (load.box.mean(0)[:2] < bed.box[1, :2]).all()
     assert load.sides[0] < 1.2 * bed.sides[0]
+
+
+def test_a_sword_lies_along_the_table_that_it_is_on():
+    table = box((-1, -0.4, -0.3), (1, 0.4, 0.3), "table")
+    sword = body("a sword")
+    (own,), (below,) = arranged(sword, [("on", table)])
+    laid, under = sword.placed(own), table.placed(below)
+    assert laid.sides[0] > 3 * laid.sides[1:].max()
+    assert abs(float(laid.box[0, 2] - under.box[1, 2])) < 0.05
+    assert abs(float((laid.box.mean(0) - under.box.mean(0))[0])) < 0.1 * float(under.sides[0])
 
 
 def test_each_of_what_grows_has_its_own_place_in_the_whole():

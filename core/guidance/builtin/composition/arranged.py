@@ -14,6 +14,7 @@ from core.guidance.builtin.composition.resting import (
     beside,
     is_heap,
     is_stuck,
+    lying_on,
     under,
     upon,
     within,
@@ -77,7 +78,9 @@ def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
 def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
     """The placement of each thing; the first one's is its own."""
     stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
-    found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
+    below = next((other for how, other in others if how == "on"), None)
+    laid = lying_on(first, below) if below else None
+    found = [Placement.of(1.0, POINT_DOWN if stuck else laid)]
     there = first.placed(found[0])
     row = [there]  # things next to each other
     held_already = False

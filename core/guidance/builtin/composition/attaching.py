@@ -19,7 +19,7 @@ from core.guidance.builtin.words.companion_words import FLOWERS, HEADWEAR, POINT
 GROWN, ON_TREES, HUNG, AT_FRONT, TRIM = (0.18, 0.5), (0.1, 0.3), (0.15, 0.5), (0.2, 0.6), (0.3, 0.6)
 NEXT_TO = (0.2, 1.2)
 BLOSSOM = (0.18, 0.26)
-BEHIND, IN_COILS = (1.25, 1.6), (1.5, 2.2)
+BEHIND, IN_COILS, TREE_IN_COILS = (1.25, 1.6), (1.5, 2.2), (2.4, 2.7)
 LOW = 0.2  # of a skull's height: so far below its middle bones are crossed
 TREES = ("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush")
 UPPER = 0.35  # of the height: what grows is higher than this
@@ -221,7 +221,8 @@ def in_coils(thing: Body, coiled: Body) -> Placement:
     turn = torch.eye(3)
     if thing.words.noun in POINTED:  # point down
         turn = torch.diag(torch.tensor([1.0, -1.0, -1.0]))
-    place = Placement.of(sized(thing, coiled, *IN_COILS), turn)
+    sizes = TREE_IN_COILS if thing.words.noun in TREES else IN_COILS
+    place = Placement.of(sized(thing, coiled, *sizes), turn)
     there = thing.placed(place)
     mine = there.box.mean(0)
     half = coiled.box[0, 2] + 0.6 * coiled.sides[2]

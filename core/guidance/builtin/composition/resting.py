@@ -50,6 +50,7 @@ DECKS = {*GROUPS["Vehicles"], "sled"}  # things in these are on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 TALL = 1.5  # times as high as wide: laid down from here on
 LOADED, FLOOR = 1.1, 0.3  # of a bed's width: a load; quantile of a bed's heights: its floor
+CROWNED = {"tree", "oak tree", "palm", "willow tree"}  # things stand below their crowns
 BEDS = {"pickup truck": ("bed",), "dump truck": ("load", "bed")}  # a load lies on these parts
 PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
@@ -103,7 +104,7 @@ def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placem
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
     to = torch.stack([torch.zeros(()), middle[1] - mine[1], (other.box - there.box)[0, 2]])
-    close = is_creature(other.words.noun)
+    close = is_creature(other.words.noun) or other.words.noun in CROWNED
     near = _next_to(there.placed(Placement.of().moved(to)), row) if close else row.box
     if on_left:
         side = near[0, 0] + TOUCHING_SIDES - there.box[1, 0]
@@ -149,21 +150,31 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return _load(thing, carrier.only(*BEDS[carrier.words.noun]))
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
-    turn = _lying(thing) @ _levelled(carrier, thing)
-    lying = thing.placed(Placement.of(1.0, turn))
+    turn = lying(thing) @ _levelled(carrier, thing)
+    laid = thing.placed(Placement.of(1.0, turn))
     room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
-    wide = WIDEST * room / lying.sides[:2].max()
+    wide = WIDEST * room / laid.sides[:2].max()
     if thing.words.noun in LYING:  # a surfboard on a car's roof
         wide = wide / WIDEST
-    place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
+    place = Placement.of(min(sized(laid, carrier, *BORNE), float(wide)), turn)
     borne = thing.placed(place)
     ground = carrier.bare(*PLANTED.get(carrier.words.noun, ()))
     return place.moved(spot_on(borne, ground) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 
 
-def _lying(thing: Body) -> Float[Tensor, "3 3"]:
+def lying(thing: Body) -> Float[Tensor, "3 3"]:
     """The rotation of a thing that is put down and does not stand: a sword on a table."""
     return laid_down(thing, TALL) if thing.words.noun in PUT_DOWN else torch.eye(3)
+
+
+def lying_on(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
+    """The same of the first thing, along a long support: a katana on its stand."""
+    turn = lying(thing)
+    if torch.equal(turn, torch.eye(3)):
+        return turn
+    sides = thing.placed(Placement.of(1.0, turn)).sides
+    across = (sides[0] > sides[1]) != (support.sides[0] > support.sides[1])
+    return X_TO_Y @ turn if across else turn
 
 
 def is_bunch(thing: Body) -> bool:
@@ -223,8 +234,9 @@ def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
 
 
 def _foot(thing: Body) -> Float[Tensor, " 3"]:
-    """The middle of the part that a thing stands on."""
-    feet = _feet(thing)
+    """The middle of the part that a thing stands on; of what lies, of the whole."""
+    lies = thing.words.noun in PUT_DOWN and thing.sides[2] < thing.sides[:2].max() / TALL
+    feet = thing.verts if lies else _feet(thing)
     return torch.cat([(feet.amin(0) + feet.amax(0))[:2] / 2, thing.box[0, 2:]])
 
 

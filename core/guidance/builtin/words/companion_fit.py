@@ -81,7 +81,8 @@ def fitting(
         relation = known_as.as_meant(named_in(phrase))
     if relation in _PLACING and any(one.relation in _PLACING for one in found):
         return None
-    if relation in _PLACING and known_as.is_no_place(phrase):
+    no_place = known_as.is_no_place(phrase) and not known_as.is_rack(first, phrase)
+    if relation in _PLACING and no_place:
         return None
     if relation == "in":
         phrase = known_as.as_container(phrase)

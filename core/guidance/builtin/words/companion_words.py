@@ -128,6 +128,9 @@ _COILED_AROUND = POINTED | {
         "mace",
     ),
 }
+_STAND = (
+    r"(?:wooden |black |display |sword |weapon |katana )*(?:stand|(?:sword|weapon|katana) rack)"
+)
 # Things that others stand or lie on, as what is known: "a parrot on a perch".
 STAND_INS = {
     r"(?:tree |wooden |bare )*(?:perch|branch|twig|bough)": "log",
@@ -136,6 +139,7 @@ STAND_INS = {
     ),
     r"(?:stone |marble |wooden )*(?:pedestal|plinth|podium)": "column",
     r"(?:table)?cloth": "towel",
+    _STAND: "rectangular coffee table",
 }
 # These do not stand on things: they hang, or are flat against them.
 HUNG = frozenset(
@@ -192,6 +196,11 @@ def is_no_place(phrase: str) -> bool:
     words = phrase.lower().replace("-", " ").split()
     there = [word for word in words if word in THE_MOON]
     return not NO_PLACES.isdisjoint(words) or (bool(there) and words[0] == "the")
+
+
+def is_rack(first: str, phrase: str) -> bool:
+    """Whether it is a stand on which the first thing lies, as a sword does."""
+    return first in PUT_DOWN and bool(re.search(rf"\b{_STAND}$", phrase, re.IGNORECASE))
 
 
 def as_container(phrase: str) -> str:
