@@ -58,6 +58,7 @@ def others(prompt: str) -> list[str]:
         ("a snake coiled around an apple", "snake", ["beside 1 apple"]),
         ("a dragon curled around a crystal", "dragon", ["beside 1 crystal"]),
         ("six chairs around a table", "table", ["surrounding 6 chair"]),
+        ("ten candles around a skull", "skull", ["surrounding 10 candle"]),
         ("a house with trees around it", "house", ["surrounding 6 tree"]),
         ("a lamp with a bird", "lamp", ["bears 1 bird"]),
         ("a candle with a skull", "candle", ["beside 1 skull"]),
@@ -127,6 +128,15 @@ def test_what_hangs_is_below_the_crown_and_off_the_ground():
         one = lantern.placed(place)
         assert one.box[0, 2] > tree.box[0, 2]
         assert float(one.box[1, 2]) < float(crown[:, 2].mean())
+
+
+def test_a_nest_is_in_a_tree_and_an_owl_on_top():
+    tree = body("a tree")
+    nest, owl = (body(one).placed(upon(body(one), tree)) for one in ("a nest", "an owl"))
+    high = float(tree.box[1, 2])
+    assert float(tree.of_parts("trunk")[:, 2].min()) < float(nest.box[0, 2])
+    assert float(nest.box[1, 2]) < high < float(owl.box[1, 2])
+    assert float(nest.box.mean(0)[1]) < float(tree.box.mean(0)[1])
 
 
 def test_what_is_around_touches_and_looks_at_the_middle():

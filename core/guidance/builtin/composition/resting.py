@@ -51,6 +51,7 @@ FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 TALL = 1.5  # times as high as wide: laid down from here on
 LOADED, FLOOR = 1.1, 0.3  # of a bed's width: a load; quantile of a bed's heights: its floor
 CROWNED = {"tree", "oak tree", "palm", "willow tree"}  # things stand below their crowns
+NESTS, HALFWAY, NESTED = ("nest", "beehive"), 0.5, 0.3  # of the crown's height; of its own
 BEDS = {"pickup truck": ("bed",), "dump truck": ("load", "bed")}  # a load lies on these parts
 PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
@@ -150,6 +151,8 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return _load(thing, carrier.only(*BEDS[carrier.words.noun]))
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
+    if carrier.words.noun in CROWNED and thing.words.noun in NESTS:
+        return _in_branches(thing, carrier)
     turn = lying(thing) @ _levelled(carrier, thing)
     laid = thing.placed(Placement.of(1.0, turn))
     room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
@@ -207,6 +210,24 @@ def _load(heap: Body, bed: Body) -> Placement:
     foot = torch.cat([there.box.mean(0)[:2], there.box[0, 2:]])
     floor = torch.cat([bed.box.mean(0)[:2], bed.verts[:, 2].quantile(FLOOR)[None]])
     return place.moved(floor - foot - torch.tensor([0.0, 0.0, SUNK]))
+
+
+def _in_branches(nest: Body, tree: Body) -> Placement:
+    """The placement of a nest halfway up a tree's crown, at the front."""
+    place = Placement.of(sized(nest, tree, *BORNE))
+    there = nest.placed(place)
+    crown = tree.without("trunk")
+    low, high = crown[:, 2].amin(), crown[:, 2].amax()
+    heights, sides = height_map(tree), tree.sides
+    cells = (~heights.isnan()).nonzero()
+    level = heights[cells[:, 0], cells[:, 1]]
+    at = tree.box[0, :2] + (cells + 0.5) * sides[:2] / CELLS
+    off = (at - tree.box.mean(0)[:2]) * torch.tensor([1.0, 0.3])
+    behind = (at[:, 1] > tree.box.mean(0)[1]).float()
+    best = ((level - (low + HALFWAY * (high - low))).abs() + off.norm(dim=1) + behind).argmin()
+    spot = torch.cat([at[best], level[best, None]])
+    foot = torch.cat([there.box.mean(0)[:2], there.box[0, 2:]])
+    return place.moved(spot - foot - torch.tensor([0.0, 0.0, NESTED * float(there.sides[2])]))
 
 
 def _is_mount(support: Body) -> bool:

@@ -29,7 +29,16 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed
-from core.guidance.builtin.words.count_words import CIRCLED, CONTAINED, FEW, HEAPED, MIXED, Order
+from core.guidance.builtin.words.count_words import (
+    CIRCLED,
+    CONTAINED,
+    FEW,
+    FIGURES,
+    HEAPED,
+    MIXED,
+    MOST_IN_CIRCLE,
+    Order,
+)
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, look_up, singulars
@@ -381,6 +390,11 @@ def _next_to(one: Found, where: str) -> list[Found]:
     """Things on both sides of the thing, or all around it."""
     several = fillings.named(one.phrase).is_many and one.words.count == 1
     count = CIRCLED if several else one.words.count
+    figures = [FIGURES.get(word, 0) for word in one.phrase.lower().split()]
+    stated = min(max([0, *figures]), MOST_IN_CIRCLE)
+    if stated > count:
+        count, notes = stated, (note for note in one.words.notes if "are made" not in note)
+        one = one._replace(words=replace(one.words, notes=tuple(notes)))
     if "around" not in where.lower() or count < FEW or one.relation != "beside":
         return _on_both_sides(one, where)
     words = replace(one.words, count=count, order="row")
