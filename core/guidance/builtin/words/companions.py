@@ -4,7 +4,6 @@ a beret".
 They are taken out of the prompt before the rest is parsed. Standard library only.
 """
 
-import math
 import re
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
@@ -13,6 +12,7 @@ from itertools import islice
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.attached import attached_in, by_size, others_in, without_stem
+from core.guidance.builtin.words.companion_counts import distributed, next_to, on_both_sides
 from core.guidance.builtin.words.companion_fit import (
     Found,
     Reader,
@@ -29,16 +29,7 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed
-from core.guidance.builtin.words.count_words import (
-    CIRCLED,
-    CONTAINED,
-    FEW,
-    FIGURES,
-    HEAPED,
-    MIXED,
-    MOST_IN_CIRCLE,
-    Order,
-)
+from core.guidance.builtin.words.count_words import FEW, HEAPED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
 from core.guidance.builtin.words.lexicon import SLOTS, look_up, singulars
@@ -118,7 +109,7 @@ def companions_in(
             if not more:
                 break
             found += more
-    return _distributed(found), prompt
+    return distributed(found), prompt
 
 
 def one_more(
@@ -160,7 +151,7 @@ class _Search:
                 continue
             words = like_its_parent(words, parent.words, one.count)
             got = Found(one.relation, one.phrases[0], words)
-            each = _on_both_sides(got, "") if one.relation == "beside" else [got]
+            each = on_both_sides(got, "") if one.relation == "beside" else [got]
             if len(found) + len(each) <= MOST:
                 return each, _cut(prompt, one.start, one.end, [])
         return [], prompt
@@ -229,7 +220,7 @@ class _Search:
         more = [word for word in item.left_out.split() if word not in SAYS_LITTLE]
         words = replace(one.words, left_out=(*one.words.left_out, *more))
         one = one._replace(words=words)
-        return _on_both_sides(one, "") if item.place == "by" else [one]
+        return on_both_sides(one, "") if item.place == "by" else [one]
 
     def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a house on its back", "with a strawberry on top"."""
@@ -269,7 +260,7 @@ class _Search:
                 also = match["lead"].lower() == "and" and _WITH_ONE.search(before)
                 where = prompt[match.end("phrase") : match.end()]
                 left = [where.strip()] if also and not self._has_opener(clause) else []
-                each = _next_to(one, where) if by else [one]
+                each = next_to(one, where) if by else [one]
                 return each, _cut(prompt, match.start(), match.end(), left)
         return [], prompt
 
@@ -340,7 +331,7 @@ class _Search:
                 )
                 away = one and opener.weak and one.relation in _HAVING
                 if one and len(both) < MOST and not (away and _ELSEWHERE.match(prompt, end)):
-                    taken += _on_both_sides(one, "") if one.relation == "beside" else [one]
+                    taken += on_both_sides(one, "") if one.relation == "beside" else [one]
                 else:
                     kept.append(phrase)
             if taken:
@@ -372,43 +363,6 @@ class _Search:
         if where in ("head", "face", "neck") and noun in known_as.WORN:
             return "wears"
         return "bears" if where in ("head", "back") or place == "nose" else None
-
-
-def _distributed(found: list[Found]) -> list[Found]:
-    """Fewer of each of the things that fill a container together."""
-    heaps = (CONTAINED, HEAPED)
-    mixed = [one for one in found if one.relation == "bears" and one.words.count in heaps]
-    if len(mixed) < 2:
-        return found
-    few = math.ceil(MIXED / len(mixed))
-    return [
-        one._replace(words=replace(one.words, count=few)) if one in mixed else one for one in found
-    ]
-
-
-def _next_to(one: Found, where: str) -> list[Found]:
-    """Things on both sides of the thing, or all around it."""
-    several = fillings.named(one.phrase).is_many and one.words.count == 1
-    count = CIRCLED if several else one.words.count
-    figures = [FIGURES.get(word, 0) for word in one.phrase.lower().split()]
-    stated = min(max([0, *figures]), MOST_IN_CIRCLE)
-    if stated > count:
-        count, notes = stated, (note for note in one.words.notes if "are made" not in note)
-        one = one._replace(words=replace(one.words, notes=tuple(notes)))
-    if "around" not in where.lower() or count < FEW or one.relation != "beside":
-        return _on_both_sides(one, where)
-    words = replace(one.words, count=count, order="row")
-    return [one._replace(relation="surrounding", words=words)]
-
-
-def _on_both_sides(one: Found, where: str) -> list[Found]:
-    """Things next to the thing, as one or two: "two chairs", "a chair on each side"."""
-    twice = re.search("each|either|both", where, re.IGNORECASE)
-    half = one.words.count if twice else one.words.count // 2
-    if not half:
-        return [one]
-    rest = half if twice else one.words.count - half
-    return [one._replace(words=replace(one.words, count=count)) for count in (rest, half)]
 
 
 def _cut(
