@@ -25,7 +25,7 @@ TREES = ("tree", "oak tree", "palm", "christmas tree", "willow tree", "bush")
 UPPER = 0.35  # of the height: what grows is higher than this
 PEAK, WINDOW, EDGE = 0.08, 3, 2  # of the height: how far below its neighbours a place may be; cells
 APART = 0.9  # times its width: distance of two that grow
-LOOSER = 8  # attempts, each with lower places
+LOOSER, CLOSER = 8, 0.9  # attempts, each with lower places, and each as close to each other
 DEEP = 0.12  # of its height: how deep a blossom without a stem is in what it grows on
 SUNK = 0.02  # training units: overlap
 NO_CROWN = ("trunk", "pot", "roots", "stand", "base", "star")
@@ -74,14 +74,15 @@ def _high_places(soil: Body, count: int, apart: float) -> Float[Tensor, "n 3"]:
     upper = upper if upper.any() else known > -torch.inf
     for k in range(LOOSER):
         cells = (upper & (known >= near - PEAK * (k + 1) * sides[2])).nonzero()
+        cells = cells if len(cells) >= count else (known > -torch.inf).nonzero()
         points = torch.cat(
             [low[:2] + (cells + 0.5) * sides[:2] / CELLS, known[cells[:, 0], cells[:, 1], None]], 1
         )
         found = _spread(points, count, soil)
         gaps = torch.cdist(found, found) + torch.eye(len(found)) * 1e3
-        if len(found) == count and (count == 1 or float(gaps.min()) > apart):
+        if count == 1 or float(gaps.min()) > apart:
             break
-        apart *= 0.9
+        apart *= CLOSER
     return found
 
 
