@@ -71,6 +71,7 @@ def test_young_ones_have_their_parents_colours_or_their_own():
         ("a bear with a baby panda", "bear", "panda"),
         ("a dog with a kitten", "dog", "cat"),
         ("a woman with her baby", "person", "baby"),
+        ("a dog with a child", "dog", "boy"),
     ],
 )
 def test_the_young_of_another_are_another(prompt: str, noun: str, companion: str):

@@ -13,7 +13,7 @@ from core.guidance.builtin.words.companion_openers import Relation, ends_in_name
 from core.guidance.builtin.words.companion_words import is_dressed
 from core.guidance.builtin.words.findings import with_article
 from core.guidance.builtin.words.lexicon import Entry
-from core.guidance.builtin.words.living import is_animal, is_creature
+from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, is_within, owns
 from core.guidance.builtin.words.slots import Words
 
@@ -124,7 +124,7 @@ def fitting(
         ),
         "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
         "beside": lambda: other != first,
-        "around": lambda: is_creature(first) and other != first,
+        "around": lambda: other != first,
     }
     fits = relation not in is_so or is_so[relation]()
     if relation == "around" and other == "log":

@@ -44,6 +44,8 @@ _OF = {
     "tadpole": "frog",
 }
 _OF_ANY = (*"baby young cub pup hatchling newborn offspring child infant".split(), "little one")
+_HUMAN = ("child", "infant")  # but for "its child"
+_POSSESSIVE = re.compile("its|her|his|their", re.IGNORECASE)
 _MANY = {
     "baby": "babies",
     "puppy": "puppies",
@@ -140,6 +142,8 @@ def young_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Young]:
         word = match["young"].lower()
         single = _SINGLE.get(word, word)
         if not is_animal(first) or (single in _OF and first not in _OF[single].split()):
+            continue
+        if single in _HUMAN and not _POSSESSIVE.match(match["count"] or ""):
             continue
         rest = prompt[match.end("young") :]
         name = _named_at(rest)

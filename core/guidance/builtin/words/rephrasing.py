@@ -7,6 +7,7 @@ Standard library only.
 import re
 
 from core.guidance.builtin.words.companion_openers import named_in
+from core.guidance.builtin.words.companion_words import may_coil
 from core.guidance.builtin.words.living import is_creature
 
 # These are in a tree's branches, as animals are.
@@ -27,6 +28,7 @@ _MANY = (
     r"a (?:circle|ring|group) of|\d) )?(?:[\w-]+ ){0,2}?[\w-]+s"
 )
 _SET = r"(?:(?:arranged|sitting|standing|placed|gathered|set|seated|lying|growing|all) )?"
+_WORN = "scarf|shawl|cape|cloak|belt|necklace|tie|bow tie|medal|collar"
 _NO_FREIGHT = "".join(
     rf"(?<!{sort} )" for sort in "fire dump garbage pickup pick-up tow toy food cream".split()
 )
@@ -41,6 +43,10 @@ _TURNED = {
     r"(?= (?:in|on|over|draped)\b|[,.]|$)": r"\g<of>napkin",
     rf"^\s*(?P<what>{_MANY}) {_SET}(?:in a (?:circle|ring) )?around "
     r"(?P<of>(?:an?|the) [^,.]+?)(?=[,.]|$)": r"\g<of> with \g<what> around it",
+    rf"^\s*(?P<what>an? (?:[\w-]+ ){{0,3}}?(?:{_WORN})) (?:wrapped|tied|draped|hanging|worn) "
+    r"around (?P<of>(?:an?|the) [^,.]+?)(?:'s (?:neck|shoulders|waist))?(?=[,.]|$)": (
+        r"\g<of> wearing \g<what>"
+    ),
     # A rock with other things is a boulder.
     r"^(?P<of>\s*(?:an?|the) (?:(?!with\b)[\w-]+ ){0,3}?)(?:rock|stone) (?=with )": (
         r"\g<of>boulder "
@@ -72,6 +78,12 @@ _HANGING = re.compile(
     rf"{_TREE}(?: branch(?:es)?| limb)?{_END}",
     re.IGNORECASE,
 )
+_COILED = re.compile(
+    r"^(?P<of>\s*(?:an?|the) [^,.]+?) with (?P<what>an? [^,.]+?) "
+    r"(?:(?:coiled|wrapped|curled|twisted|entwined|winding|coiling|wrapping|twined)(?: up)? )?"
+    rf"around (?:it|the [\w-]+|its [\w-]+){_END}",
+    re.IGNORECASE,
+)
 
 
 def turned_around(prompt: str) -> str:
@@ -79,6 +91,15 @@ def turned_around(prompt: str) -> str:
     for pattern, meant in _PATTERNS.items():
         prompt = pattern.sub(meant, prompt)
     return prompt
+
+
+def snake_first(prompt: str) -> str:
+    """The prompt with a snake first that is coiled around a slender thing: "a staff with a snake
+    around it"."""
+    found = _COILED.match(prompt)
+    if found is None or not may_coil(named_in(found["what"]), named_in(found["of"])):
+        return prompt
+    return f"{found['what']} coiled around {found['of'].strip()}{prompt[found.end() :]}"
 
 
 def tree_first(prompt: str) -> str:

@@ -47,7 +47,7 @@ from core.guidance.builtin.words.prompt_errors import (
     unknown_error,
 )
 from core.guidance.builtin.words.reading import Reading
-from core.guidance.builtin.words.rephrasing import tree_first, turned_around
+from core.guidance.builtin.words.rephrasing import snake_first, tree_first, turned_around
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
@@ -165,7 +165,7 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = tree_first(apart_from_texts(prompt, turned_around))
+    prompt = tree_first(snake_first(apart_from_texts(prompt, turned_around)))
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
