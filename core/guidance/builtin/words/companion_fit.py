@@ -127,15 +127,15 @@ def fitting(
         "around": lambda: other != first,
     }
     fits = relation not in is_so or is_so[relation]()
+    if relation in ("holds", "on") and verb in BY_IT_TOO and not fits and is_dressed(first):
+        relation, fits = "beside", other != first
+    elif verb and relation == "beside":
+        fits &= is_dressed(first)
     if relation == "around" and other == "log":
         relation = "on"
     if relation == "around" and not known_as.may_coil(first, other):
         notes = (f"{with_article('noun', first)} keeps its own form: the {other} is next to it.",)
         relation, words = "beside", replace(words, notes=(*words.notes, *notes))
-    if relation in ("holds", "on") and verb in BY_IT_TOO and not fits and is_dressed(first):
-        relation, fits = "beside", other != first
-    elif verb and relation == "beside":
-        fits &= is_dressed(first)
     if relation in ("wears", "holds"):
         words = _only_one(words, got.stated)
     return Found(relation, phrase, words, verb) if fits else None
