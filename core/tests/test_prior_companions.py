@@ -141,7 +141,6 @@ def test_four_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
         "a cake on a plate",
         "a cactus in a terracotta pot",
         "a chess king",
-        "a hat with a feather",
         "a chair on a white background",
         "a skeleton on a museum stand",
         "a vase on display",

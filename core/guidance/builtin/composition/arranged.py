@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import torch
 
+from core.guidance.builtin.composition.attaching import SPREAD, at_front, behind, in_coils
 from core.guidance.builtin.composition.copies import copies_of, mixed_heap
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, joined, training_size
@@ -13,6 +14,7 @@ from core.guidance.builtin.composition.resting import (
     beside,
     is_heap,
     is_stuck,
+    lying_on,
     under,
     upon,
     within,
@@ -31,7 +33,9 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     if count > 1 and any(how == "in" for how, _ in others):  # eggs in a basket are a heap
         first = replace(first, words=replace(first.words, order="heap"))
     things = [first, *(other for _, other in others)]
-    each = all(how in EACH or other.words.count == count for how, other in others)
+    each = all(
+        how in EACH or (other.words.count == count and how not in SPREAD) for how, other in others
+    )
     if count > 1 and others and each:  # "two penguins wearing hats": a penguin and a hat, twice
         places = _placed(first, others)
         pairs = zip(things, places, strict=True)
@@ -39,6 +43,10 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
         found = [[copy.of_copy(place) for copy in copies] for place in places]
     else:
         copies = [copies_of(thing) for thing in things]
+        whole = first.group(copies[0])
+        for k, (how, other) in enumerate(others, 1):
+            if how in SPREAD:
+                copies[k] = SPREAD[how](other, whole, other.words.count)
         groups = [thing.group(own) for thing, own in zip(things, copies, strict=True)]
         mixed = _mixed(first, others)
         if len(mixed) > 1:  # "a bowl of apples and bananas"
@@ -70,7 +78,9 @@ def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
 def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
     """The placement of each thing; the first one's is its own."""
     stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
-    found = [Placement.of(1.0, POINT_DOWN if stuck else None)]
+    below = next((other for how, other in others if how == "on"), None)
+    laid = lying_on(first, below) if below else None
+    found = [Placement.of(1.0, POINT_DOWN if stuck else laid)]
     there = first.placed(found[0])
     row = [there]  # things next to each other
     held_already = False
@@ -85,6 +95,8 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
         elif how == "wears" and other.words.noun not in CLOTHING:
             wearer = there.standing if there.standing and there.carried else there
             found.append(_carried(worn(other, wearer), there))
+        elif how in SPREAD:  # each of them by itself
+            found.append(Placement.of())
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)
         elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
@@ -108,4 +120,7 @@ _PLACED: dict[Relation, Callable[[Body, Body], Placement]] = {
     "in": lambda other, first: within(first, other),
     "wears": worn,
     "bears": upon,
+    "behind": behind,
+    "front": at_front,
+    "around": in_coils,
 }

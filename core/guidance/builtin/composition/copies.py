@@ -7,6 +7,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.guidance.builtin.composition.formations import circle, crossed, facing
 from core.guidance.builtin.composition.placement import (
     Body,
     Placement,
@@ -36,9 +37,16 @@ def copies_of(thing: Body) -> list[Placement]:
     count = thing.words.count
     if count == 1:
         return [Placement.of()]
-    if thing.words.order == "stack":
+    order = thing.words.order
+    if order == "stack":
         return _stack(thing, count)
-    if thing.words.order == "heap":
+    if order == "crossed" and count == 2:
+        return crossed(thing)
+    if order in ("face to face", "back to back") and count == 2:
+        return facing(thing, away=order == "back to back")
+    if order == "circle":
+        return circle(thing, count)
+    if order == "heap":
         return _bunch(thing, count) if thing.words.noun in FLOWERS else _heap(thing, count)
     return _row(thing, count)
 

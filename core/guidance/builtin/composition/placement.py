@@ -152,6 +152,14 @@ class Body:
         gone = self.among(*names)[self.faces].any(1)
         return replace(self, faces=self.faces[~gone])
 
+    def only(self, *names: str) -> "Body":
+        """The named parts alone; the whole thing where it has none of them."""
+        kept = self.among(*names)[self.faces].all(1)
+        if not kept.any():
+            return self
+        used, faces = self.faces[kept].unique(return_inverse=True)
+        return replace(self, verts=self.verts[used], part=self.part[used], faces=faces)
+
     def of_parts(self, *names: str) -> Float[Tensor, "n 3"]:
         """The points of the named parts."""
         return self.verts[self.among(*names)]

@@ -22,7 +22,7 @@ from core.guidance.builtin.words.companion_words import (
     POINTED,
     PUT_DOWN,
 )
-from core.guidance.builtin.words.living import is_animal
+from core.guidance.builtin.words.living import is_animal, is_creature
 
 CELLS, SAMPLES = 40, 60_000  # of a height map: along a side; points of the surface
 FOOT = 0.08  # of a thing's height: lower parts are its feet
@@ -42,13 +42,17 @@ SUNK = 0.02  # training units: overlap with the support
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
 IN = 0.45  # of the lower one's height: how deep a thing is in another
 ROOM = 1.1  # of a thing's lower half: least width of a container
-NEIGHBOUR, TOUCHING_SIDES = (0.3, 2.5), 0.02
+NEIGHBOUR, YOUNG, TOUCHING_SIDES = (0.3, 2.5), (0.22, 0.6), 0.02
 WIDEST = 0.7  # of the carrier: most width of a thing on it
 # Of the other's longest side: least and most of a thing's.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
 DECKS = {*GROUPS["Vehicles"], "sled"}  # things in these are on them
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 TALL = 1.5  # times as high as wide: laid down from here on
+LOADED, FLOOR = 1.1, 0.3  # of a bed's width: a load; quantile of a bed's heights: its floor
+CROWNED = {"tree", "oak tree", "palm", "willow tree"}  # things stand below their crowns
+NESTS, HALFWAY, NESTED = ("nest", "beehive"), 0.5, 0.3  # of the crown's height; of its own
+BEDS = {"pickup truck": ("bed",), "dump truck": ("load", "bed")}  # a load lies on these parts
 PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
 MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
@@ -96,14 +100,28 @@ def around(thing: Body, container: Body) -> Placement:
 
 def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placement:
     """The placement of ``thing`` next to the other, at the end of a row with it, touching it."""
-    place = Placement.of(sized(thing, other, *NEIGHBOUR))
+    young = thing.words.noun == other.words.noun
+    place = Placement.of(sized(thing, other, *(YOUNG if young else NEIGHBOUR)))
     there = thing.placed(place)
     middle, mine = other.box.mean(0), there.box.mean(0)
+    to = torch.stack([torch.zeros(()), middle[1] - mine[1], (other.box - there.box)[0, 2]])
+    close = is_creature(other.words.noun) or other.words.noun in CROWNED
+    near = _next_to(there.placed(Placement.of().moved(to)), row) if close else row.box
     if on_left:
-        side = row.box[0, 0] + TOUCHING_SIDES - there.box[1, 0]
+        side = near[0, 0] + TOUCHING_SIDES - there.box[1, 0]
     else:
-        side = row.box[1, 0] - TOUCHING_SIDES - there.box[0, 0]
-    return place.moved(torch.stack([side, middle[1] - mine[1], (other.box - there.box)[0, 2]]))
+        side = near[1, 0] - TOUCHING_SIDES - there.box[0, 0]
+    return place.moved(to + side * torch.tensor([1.0, 0.0, 0.0]))
+
+
+def _next_to(thing: Body, row: Body) -> Float[Tensor, "2 3"]:
+    """The box around the points of a row that a thing next to it may touch, under a parent's ears
+    or wings."""
+    low, high = thing.box
+    near = row.verts[
+        (row.verts[:, 2] < high[2]) & (row.verts[:, 1] > low[1]) & (row.verts[:, 1] < high[1])
+    ]
+    return torch.stack([near.amin(0), near.amax(0)]) if len(near) else row.box
 
 
 def is_stuck(thing: Body, other: Body) -> bool:
@@ -129,23 +147,37 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return place.moved(spot_on(borne, carrier) - _foot(borne) - deep)
     if carrier.words.noun in CONTAINERS and is_heap(thing):
         return _filling(thing, carrier)
+    if carrier.words.noun in BEDS and is_heap(thing):
+        return _load(thing, carrier.only(*BEDS[carrier.words.noun]))
     if carrier.words.noun in CONTAINERS:
         return around(thing, carrier).inverted()
-    turn = _lying(thing) @ _levelled(carrier, thing)
-    lying = thing.placed(Placement.of(1.0, turn))
+    if carrier.words.noun in CROWNED and thing.words.noun in NESTS:
+        return _in_branches(thing, carrier)
+    turn = lying(thing) @ _levelled(carrier, thing)
+    laid = thing.placed(Placement.of(1.0, turn))
     room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
-    wide = WIDEST * room / lying.sides[:2].max()
+    wide = WIDEST * room / laid.sides[:2].max()
     if thing.words.noun in LYING:  # a surfboard on a car's roof
         wide = wide / WIDEST
-    place = Placement.of(min(sized(lying, carrier, *BORNE), float(wide)), turn)
+    place = Placement.of(min(sized(laid, carrier, *BORNE), float(wide)), turn)
     borne = thing.placed(place)
     ground = carrier.bare(*PLANTED.get(carrier.words.noun, ()))
     return place.moved(spot_on(borne, ground) - _foot(borne) - torch.tensor([0.0, 0.0, SUNK]))
 
 
-def _lying(thing: Body) -> Float[Tensor, "3 3"]:
+def lying(thing: Body) -> Float[Tensor, "3 3"]:
     """The rotation of a thing that is put down and does not stand: a sword on a table."""
     return laid_down(thing, TALL) if thing.words.noun in PUT_DOWN else torch.eye(3)
+
+
+def lying_on(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
+    """The same of the first thing, along a long support: a katana on its stand."""
+    turn = lying(thing)
+    if torch.equal(turn, torch.eye(3)):
+        return turn
+    sides = thing.placed(Placement.of(1.0, turn)).sides
+    across = (sides[0] > sides[1]) != (support.sides[0] > support.sides[1])
+    return X_TO_Y @ turn if across else turn
 
 
 def is_bunch(thing: Body) -> bool:
@@ -169,6 +201,33 @@ def _filling(heap: Body, container: Body) -> Placement:
     middle = there.box.mean(0)
     top = torch.stack([middle[0], middle[1], there.box[1, 2]])
     return place.moved(rim - top + up)
+
+
+def _load(heap: Body, bed: Body) -> Placement:
+    """The placement of a heap on a truck's bed, as wide as that."""
+    place = Placement.of(LOADED * float((bed.sides[:2] / heap.sides[:2]).min()))
+    there = heap.placed(place)
+    foot = torch.cat([there.box.mean(0)[:2], there.box[0, 2:]])
+    floor = torch.cat([bed.box.mean(0)[:2], bed.verts[:, 2].quantile(FLOOR)[None]])
+    return place.moved(floor - foot - torch.tensor([0.0, 0.0, SUNK]))
+
+
+def _in_branches(nest: Body, tree: Body) -> Placement:
+    """The placement of a nest halfway up a tree's crown, at the front."""
+    place = Placement.of(sized(nest, tree, *BORNE))
+    there = nest.placed(place)
+    crown = tree.without("trunk")
+    low, high = crown[:, 2].amin(), crown[:, 2].amax()
+    heights, sides = height_map(tree), tree.sides
+    cells = (~heights.isnan()).nonzero()
+    level = heights[cells[:, 0], cells[:, 1]]
+    at = tree.box[0, :2] + (cells + 0.5) * sides[:2] / CELLS
+    off = (at - tree.box.mean(0)[:2]) * torch.tensor([1.0, 0.3])
+    behind = (at[:, 1] > tree.box.mean(0)[1]).float()
+    best = ((level - (low + HALFWAY * (high - low))).abs() + off.norm(dim=1) + behind).argmin()
+    spot = torch.cat([at[best], level[best, None]])
+    foot = torch.cat([there.box.mean(0)[:2], there.box[0, 2:]])
+    return place.moved(spot - foot - torch.tensor([0.0, 0.0, NESTED * float(there.sides[2])]))
 
 
 def _is_mount(support: Body) -> bool:
@@ -196,8 +255,9 @@ def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
 
 
 def _foot(thing: Body) -> Float[Tensor, " 3"]:
-    """The middle of the part that a thing stands on."""
-    feet = _feet(thing)
+    """The middle of the part that a thing stands on; of what lies, of the whole."""
+    lies = thing.words.noun in PUT_DOWN and thing.sides[2] < thing.sides[:2].max() / TALL
+    feet = thing.verts if lies else _feet(thing)
     return torch.cat([(feet.amin(0) + feet.amax(0))[:2] / 2, thing.box[0, 2:]])
 
 

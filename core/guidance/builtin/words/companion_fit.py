@@ -3,6 +3,7 @@
 Standard library only.
 """
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
@@ -10,6 +11,7 @@ from typing import NamedTuple
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words.companion_openers import Relation, ends_in_name, named_in
 from core.guidance.builtin.words.companion_words import is_dressed
+from core.guidance.builtin.words.findings import with_article
 from core.guidance.builtin.words.lexicon import Entry
 from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, is_within, owns
@@ -43,6 +45,24 @@ class Read(NamedTuple):
 Reader = Callable[[str], Read | None]  # None: the phrase is refused, or names no thing
 
 
+def standing_in(read: Reader) -> Reader:
+    """The reader, with the nearest known thing for a few things that others stand on: a log for a
+    perch."""
+
+    def of(phrase: str) -> Read | None:
+        got = read(phrase)
+        for rule, name in known_as.STAND_INS.items() if got is None else ():
+            instead = re.sub(rf"\b{rule}$", name, phrase.strip(), flags=re.IGNORECASE)
+            if instead != phrase.strip() and (other := read(instead)):
+                noun = with_article("noun", other.words.noun)
+                said = re.search(rf"\b{rule}$", phrase.strip(), flags=re.IGNORECASE)
+                note = f"{said[0] if said else phrase}: made as {noun}."
+                return other._replace(words=replace(other.words, notes=(note, *other.words.notes)))
+        return got
+
+    return of
+
+
 def fitting(
     read: Reader,
     relation: Relation,
@@ -61,7 +81,8 @@ def fitting(
         relation = known_as.as_meant(named_in(phrase))
     if relation in _PLACING and any(one.relation in _PLACING for one in found):
         return None
-    if relation in _PLACING and known_as.is_no_place(phrase):
+    no_place = known_as.is_no_place(phrase) and not known_as.is_rack(first, phrase)
+    if relation in _PLACING and no_place:
         return None
     if relation == "in":
         phrase = known_as.as_container(phrase)
@@ -103,12 +124,18 @@ def fitting(
         ),
         "bears": lambda: other not in known_as.HUNG and first not in known_as.NO_BEARERS,
         "beside": lambda: other != first,
+        "around": lambda: other != first,
     }
-    fits = is_so[relation]()
+    fits = relation not in is_so or is_so[relation]()
     if relation in ("holds", "on") and verb in BY_IT_TOO and not fits and is_dressed(first):
         relation, fits = "beside", other != first
     elif verb and relation == "beside":
         fits &= is_dressed(first)
+    if relation == "around" and other == "log":
+        relation = "on"
+    if relation == "around" and not known_as.may_coil(first, other):
+        notes = (f"{with_article('noun', first)} keeps its own form: the {other} is next to it.",)
+        relation, words = "beside", replace(words, notes=(*words.notes, *notes))
     if relation in ("wears", "holds"):
         words = _only_one(words, got.stated)
     return Found(relation, phrase, words, verb) if fits else None

@@ -10,8 +10,22 @@ from core.guidance.builtin.words.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.tokens import DOING, LONGEST
 
 # The relation of the first thing to the other: it is on it or in it, wears it or holds it, bears it
-# on top of itself, or is next to it.
-Relation = Literal["on", "in", "wears", "holds", "bears", "beside"]
+# on top of itself, or is next to it; the other hangs or grows on it, is behind it or at its front;
+# the first is coiled around the other; the others are all around the first.
+Relation = Literal[
+    "on",
+    "in",
+    "wears",
+    "holds",
+    "bears",
+    "beside",
+    "hanging",
+    "growing",
+    "behind",
+    "front",
+    "around",
+    "surrounding",
+]
 TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
 
 
@@ -64,6 +78,10 @@ _TOWARDS = (
     "(?:talking|speaking|singing|bowing|waving) to|dancing with|fighting (?:with|against)|"
     "playing (?:with|against)|working (?:at|on)|leaning (?:on|against)"
 )
+_COILED = (
+    "curled|coiled|wrapped|twisted|twined|entwined|wound|curling|coiling|wrapping|twisting|winding|"
+    "slithering"
+)
 _TO_ANOTHER = (
     r"(?!(?:being|resembling|becoming|including|featuring|depicting|missing|lacking|having|showing|"
     r"representing|looking|using|wearing|following)\b)[a-z]{3,}ing "
@@ -97,6 +115,11 @@ _RELATIONS: tuple[tuple[Relation, str, bool], ...] = (
         rf"{_BEING}(?P<verb>{_HOLDING}|using|uses|playing(?: on| with)?|plays?|eating|eats?|"
         r"biting|licking|munching(?: on)?|nibbling(?: on)?|drinking(?: from)?|"
         r"sipping(?: from)?|reading|reads) ",
+        False,
+    ),
+    (
+        "around",
+        rf"{_BEING}(?P<verb>{_COILED})(?: (?:up|tightly|itself))* (?:around|round|about) ",
         False,
     ),
     ("beside", rf"{_BEING}(?P<verb>{_TOWARDS}) ", False),

@@ -112,6 +112,35 @@ _STANDS = (
 PEDESTALS = ("column", "pallet")
 # Things on a building that are large enough to see.
 LARGEST_BUILDING = 8.0  # times as long as what is on it
+# A snake is coiled around these.
+_COILED_AROUND = POINTED | {
+    *("staff", "torch", "candle", "column", "magic wand", "street lamp", "signpost", "flute"),
+    *(
+        "tree",
+        "oak tree",
+        "palm",
+        "umbrella",
+        "baseball bat",
+        "bottle",
+        "goblet",
+        "wine glass",
+        "war hammer",
+        "mace",
+    ),
+}
+_STAND = (
+    r"(?:wooden |black |display |sword |weapon |katana )*(?:stand|(?:sword|weapon|katana) rack)"
+)
+# Things that others stand or lie on, as what is known: "a parrot on a perch".
+STAND_INS = {
+    r"(?:tree |wooden |bare )*(?:perch|branch|twig|bough)": "log",
+    r"(?:floating |small |large )*(?:ice ?floe|iceberg|ice ?berg|sheet of ice|slab of ice)": (
+        "large flat boulder made of ice"
+    ),
+    r"(?:stone |marble |wooden )*(?:pedestal|plinth|podium)": "column",
+    r"(?:table)?cloth": "towel",
+    _STAND: "rectangular coffee table",
+}
 # These do not stand on things: they hang, or are flat against them.
 HUNG = frozenset(
     (
@@ -169,6 +198,11 @@ def is_no_place(phrase: str) -> bool:
     return not NO_PLACES.isdisjoint(words) or (bool(there) and words[0] == "the")
 
 
+def is_rack(first: str, phrase: str) -> bool:
+    """Whether it is a stand on which the first thing lies, as a sword does."""
+    return first in PUT_DOWN and bool(re.search(rf"\b{_STAND}$", phrase, re.IGNORECASE))
+
+
 def as_container(phrase: str) -> str:
     """The phrase for its content: a box that holds something is a cardboard box."""
     return re.sub(r"(?<![\w-])(?<!cardboard )box$", BOX, phrase, flags=re.IGNORECASE)
@@ -193,6 +227,11 @@ def may_hold_within(other: str, first: str) -> bool:
     stuck = other in POINTED and first in PIERCED
     stirs = other in STIRRING and first in VESSELS | {"pan", "cauldron"}
     return stuck or stirs or (first in CONTAINERS and (is_creature(other) or other in FLOWERS))
+
+
+def may_coil(first: str, other: str) -> bool:
+    """Whether the first thing may be drawn with its coils around the other."""
+    return first == "snake" and other in _COILED_AROUND
 
 
 def may_wear(first: str, other: str) -> bool:

@@ -4,14 +4,22 @@ a beret".
 They are taken out of the prompt before the rest is parsed. Standard library only.
 """
 
-import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
+from itertools import islice
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
-from core.guidance.builtin.words.companion_fit import Found, Reader, fitting, is_part
+from core.guidance.builtin.words.attached import attached_in, by_size, others_in, without_stem
+from core.guidance.builtin.words.companion_counts import distributed, next_to, on_both_sides
+from core.guidance.builtin.words.companion_fit import (
+    Found,
+    Reader,
+    fitting,
+    is_part,
+    standing_in,
+)
 from core.guidance.builtin.words.companion_openers import (
     Opener,
     Relation,
@@ -21,10 +29,11 @@ from core.guidance.builtin.words.companion_openers import (
 )
 from core.guidance.builtin.words.companion_phrases import ARTICLES, SAYS_LITTLE, VERBS, items
 from core.guidance.builtin.words.companion_words import is_dressed
-from core.guidance.builtin.words.count_words import CONTAINED, FEW, HEAPED, MIXED, Order
+from core.guidance.builtin.words.count_words import FEW, HEAPED, Order
 from core.guidance.builtin.words.emblems import FLAT, drawn_in
 from core.guidance.builtin.words.gathering import Item, listed_in, mixtures_named, turned
-from core.guidance.builtin.words.lexicon import SLOTS, look_up
+from core.guidance.builtin.words.lexicon import SLOTS, look_up, singulars
+from core.guidance.builtin.words.offspring import like_its_parent, young_in
 from core.guidance.builtin.words.pictured import is_pictured
 from core.guidance.builtin.words.tokens import DOING
 from core.guidance.builtin.words.whereabouts import BY_IT, Place, place_of
@@ -91,15 +100,37 @@ def companions_in(
         found: companions known already, part of the ``MOST``.
     """
     found = list(found)
-    search = _Search(read, first_of)
+    search = _Search(standing_in(read), first_of)
     prompt = turned(mixtures_named(prompt))
-    for step in (search.listed, search.placed, search.served, search.filled, search.opened):
+    steps = (search.young, search.attached, search.listed, search.placed, search.served)
+    for step in (*steps, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
             if not more:
                 break
             found += more
-    return _distributed(found), prompt
+    return distributed(found), prompt
+
+
+def one_more(
+    prompt: str,
+    read: Reader,
+    first_of: Callable[[str], str],
+    found: list[Found],
+    left_out: Collection[str],
+) -> tuple[list[Found], str]:
+    """One more companion, of no stated place, that would be left out: "a lamp with a bird"; and the
+    prompt without it."""
+    drawn = drawn_in(prompt)
+    for phrase, start, end in islice(others_in(prompt), LOOKED_AT):
+        first = first_of(prompt[:start])
+        named = {single for word in phrase.lower().split() for single in singulars(word)}
+        relation = by_size(first, phrase) if first and not named.isdisjoint(left_out) else None
+        if relation is None or any(a <= start < b for _, a, b in drawn):
+            continue
+        if one := fitting(standing_in(read), relation, phrase, first, found):
+            return [one], _cut(prompt, start, end, [])
+    return [], prompt
 
 
 class _Search:
@@ -107,6 +138,39 @@ class _Search:
 
     def __init__(self, read: Reader, first_of: Callable[[str], str]) -> None:
         self._read, self._first_of = read, first_of
+
+    def young(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "With three ducklings", "and her cub"."""
+        drawn = drawn_in(prompt)
+        for one in islice(young_in(prompt, self._first_of), LOOKED_AT):
+            each = (got.words for got in map(self._read, one.phrases) if got)
+            words = next((words for words in each if words.noun == one.parent), None)
+            pictured = any(start <= one.start < end for _, start, end in drawn)
+            parent = self._read(prompt[: one.start])
+            if words is None or parent is None or pictured:
+                continue
+            words = like_its_parent(words, parent.words, one.count)
+            got = Found(one.relation, one.phrases[0], words)
+            each = on_both_sides(got, "") if one.relation == "beside" else [got]
+            if len(found) + len(each) <= MOST:
+                return each, _cut(prompt, one.start, one.end, [])
+        return [], prompt
+
+    def attached(self, prompt: str, _: list[Found]) -> tuple[list[Found], str]:
+        """ "With mushrooms growing on it", "with lanterns hanging from its branches"."""
+        for one in islice(attached_in(prompt, self._first_of), LOOKED_AT):
+            many = fillings.named(one.phrase)
+            got = self._read(many.phrase if many.is_many and not many.is_counted else one.phrase)
+            first = self._first_of(prompt[: one.start])
+            if got is None or (is_part(got.entry, first) and not one.is_top):
+                continue
+            words = without_stem(first, got.words)
+            if many.is_many and words.count == 1:
+                words = replace(words, count=one.many)
+            if one.heaped:
+                words = replace(words, order="heap")
+            return [Found(one.relation, one.phrase, words)], _cut(prompt, one.start, one.end, [])
+        return [], prompt
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a lamp, a laptop and a mug"."""
@@ -156,7 +220,7 @@ class _Search:
         more = [word for word in item.left_out.split() if word not in SAYS_LITTLE]
         words = replace(one.words, left_out=(*one.words.left_out, *more))
         one = one._replace(words=words)
-        return _on_both_sides(one, "") if item.place == "by" else [one]
+        return on_both_sides(one, "") if item.place == "by" else [one]
 
     def placed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
         """ "With a house on its back", "with a strawberry on top"."""
@@ -196,7 +260,7 @@ class _Search:
                 also = match["lead"].lower() == "and" and _WITH_ONE.search(before)
                 where = prompt[match.end("phrase") : match.end()]
                 left = [where.strip()] if also and not self._has_opener(clause) else []
-                each = _on_both_sides(one, where) if by else [one]
+                each = next_to(one, where) if by else [one]
                 return each, _cut(prompt, match.start(), match.end(), left)
         return [], prompt
 
@@ -267,7 +331,7 @@ class _Search:
                 )
                 away = one and opener.weak and one.relation in _HAVING
                 if one and len(both) < MOST and not (away and _ELSEWHERE.match(prompt, end)):
-                    taken += _on_both_sides(one, "") if one.relation == "beside" else [one]
+                    taken += on_both_sides(one, "") if one.relation == "beside" else [one]
                 else:
                     kept.append(phrase)
             if taken:
@@ -299,28 +363,6 @@ class _Search:
         if where in ("head", "face", "neck") and noun in known_as.WORN:
             return "wears"
         return "bears" if where in ("head", "back") or place == "nose" else None
-
-
-def _distributed(found: list[Found]) -> list[Found]:
-    """Fewer of each of the things that fill a container together."""
-    heaps = (CONTAINED, HEAPED)
-    mixed = [one for one in found if one.relation == "bears" and one.words.count in heaps]
-    if len(mixed) < 2:
-        return found
-    few = math.ceil(MIXED / len(mixed))
-    return [
-        one._replace(words=replace(one.words, count=few)) if one in mixed else one for one in found
-    ]
-
-
-def _on_both_sides(one: Found, where: str) -> list[Found]:
-    """Things next to the thing, as one or two: "two chairs", "a chair on each side"."""
-    twice = re.search("each|either|both", where, re.IGNORECASE)
-    half = one.words.count if twice else one.words.count // 2
-    if not half:
-        return [one]
-    rest = half if twice else one.words.count - half
-    return [one._replace(words=replace(one.words, count=count)) for count in (rest, half)]
 
 
 def _cut(

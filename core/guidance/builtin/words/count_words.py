@@ -5,11 +5,12 @@ Standard library only.
 
 from typing import Literal
 
-Order = Literal["row", "heap", "stack"]
+Order = Literal["row", "heap", "stack", "crossed", "back to back", "face to face", "circle"]
 
 MOST = 6  # the largest exact count; more are as many as "many"
-MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 3
+MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING, CIRCLED = 5, 3, 7, 5, 6, 3, 6
 MIXED = 10  # of all kinds together that fill a container
+MOST_IN_CIRCLE = 12
 FIGURES = {
     word: number
     for number, word in enumerate(
@@ -39,15 +40,69 @@ CAIRNS = ("cairn", "cairns")  # of stones, one on another
 STONES = dict.fromkeys(("rock", "stone", "cobblestone"), ("rocks",)) | {
     "brick": ("brick", "blocks")
 }
+PLAIN_STONES = tuple(f"{word}s" for word in STONES)[1:3]
 WITHOUT_OF = frozenset("dozen couple".split())
-LAID = frozenset(("stacked", "piled"))  # before the name: "three stacked crates"
+# Before the name: "three stacked crates", "crossed swords"; of a plain plural the number, too.
+LAID: dict[str, tuple[Order, int]] = {
+    "stacked": ("stack", FEW),
+    "piled": ("stack", FEW),
+    "crossed": ("crossed", 2),
+    "crossing": ("crossed", 2),
+}
+PAIRS: tuple[Order, ...] = ("crossed", "back to back", "face to face")  # of two
+# The number of a plain plural with its arrangement: "chairs in a circle".
+COUNTS_OF: dict[Order, int] = {
+    "row": FEW,
+    "stack": FEW,
+    "heap": HEAPED,
+    "circle": CIRCLED,
+    **dict.fromkeys(PAIRS, 2),
+}
+# Before "of": "a circle of stones".
+RINGS = frozenset("circle ring".split())
+GEM = "gem"  # a ring of these is a jewel
 _EACH = ("on top of each other", "on each other", "on top of one another", "high", "up")
+_FACING = [
+    f"{how}{what}"
+    for how in ("standing ", "sitting ", "")
+    for what in (
+        "facing each other",
+        "facing one another",
+        "face to face",
+        "nose to nose",
+        "looking at each other",
+        "staring at each other",
+        "fighting each other",
+        "kissing each other",
+        "hugging each other",
+        "talking to each other",
+        "kissing",
+    )
+]
 LYING: dict[str, Order] = {
     **{f"stacked {how}": "stack" for how in _EACH},
     **{f"piled {how}": "heap" for how in _EACH},
     **dict.fromkeys(("on top of each other", "on top of one another", "in a stack"), "stack"),
     **dict.fromkeys(("stacked",), "stack"),
     **dict.fromkeys(("piled", "in a pile", "in a heap"), "heap"),
+    **dict.fromkeys(
+        ("crossed over each other", "crossing each other", "crossed", "crossing"), "crossed"
+    ),
+    **dict.fromkeys(
+        (
+            "standing back to back",
+            "sitting back to back",
+            "back to back",
+            "facing away from each other",
+        ),
+        "back to back",
+    ),
+    **dict.fromkeys(_FACING, "face to face"),
+    **{
+        f"{how}in a {form}": "circle"
+        for form in ("circle", "ring")
+        for how in ("arranged ", "standing ", "sitting ", "placed ", "set ", "")
+    },
     **dict.fromkeys(("in a row", "in a line", "side by side", "next to each other"), "row"),
 }
 # Their plural names one thing, or the thing has several by itself.

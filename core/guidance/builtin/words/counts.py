@@ -3,6 +3,7 @@
 The words for it are taken out before the rest is parsed. Standard library only.
 """
 
+import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,12 +11,15 @@ from core.guidance.builtin.words.count_words import (
     ALIKE,
     BOXES,
     CAIRNS,
+    CIRCLED,
     COINS,
+    COUNTS_OF,
     DOUBLE,
     EVEN_WORDS,
     FEW,
     FEW_WORDS,
     FIGURES,
+    GEM,
     GROUPS,
     HEAPED,
     HEAPS,
@@ -26,11 +30,15 @@ from core.guidance.builtin.words.count_words import (
     MANY_WORDS,
     MOST,
     MOST_DIGITS,
+    MOST_IN_CIRCLE,
     NO_PLURAL,
     OF_PARTS,
     PAIRED,
+    PAIRS,
+    PLAIN_STONES,
     PORTIONS,
     RICHES,
+    RINGS,
     SAY_LITTLE,
     SETS,
     SEVERAL,
@@ -89,6 +97,7 @@ class _Head(NamedTuple):
 def set_counts_apart(tokens: Tokens) -> Counted:
     """Take out the number of the first thing, where that many can be made."""
     _turn_piles(tokens)
+    _name_stones(tokens)
     for at in range(len(tokens.words)):
         named = tokens.first_thing(at)
         stated = _stated_count(tokens, at)
@@ -118,6 +127,13 @@ def _turn_piles(tokens: Tokens) -> None:
             many = what if _is_plural([what]) else f"{what}s"
             tokens.put(at - 1, at + 1, [word, "of", many])
             return
+
+
+def _name_stones(tokens: Tokens) -> None:
+    """ "Stones in a circle" are rocks."""
+    text = " ".join(tokens.words)
+    if any(re.search(rf"\b{form}\b", text) for form in LYING):
+        tokens.words = [STONES["stone"][0] if w in PLAIN_STONES else w for w in tokens.words]
 
 
 def is_many(tokens: Tokens) -> bool:
@@ -163,6 +179,9 @@ def _stated_count(tokens: Tokens, at: int) -> _StatedCount | None:
     if word in HEAPS:
         count = min(inner, HEAPED) or HEAPED
         return _StatedCount(end + bool(inner), count, "heap", is_pile=True)
+    if word in RINGS and of:
+        count = min(inner, MOST) or CIRCLED
+        return _StatedCount(end + bool(inner), count, "circle", is_pile=True)
     if word in STACKS:
         count = min(inner, MOST) or STACKED
         return _StatedCount(end + bool(inner), count, "stack", is_pile=True)
@@ -191,7 +210,7 @@ def _is_more_than_name(tokens: Tokens, at: int, named: str) -> bool:
     may be a candelabra's."""
     name = next(phrase for phrase in tokens.phrases(at) if tokens.thing(phrase))
     number, _, rest = name.partition(" ")
-    group = not rest and number in GROUPS | HEAPS  # "a school of fish"
+    group = not rest and number in GROUPS | HEAPS | RINGS  # "a school of fish"
     return group or named in PAIRED or bool(_number(number) and tokens.thing(rest))
 
 
@@ -295,6 +314,8 @@ def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counte
         words[head.end - 1] = single
     noun = tokens.thing(head.name(tokens))
     word = words[at]
+    if words[at] == "ring" and noun == GEM:  # a jewel
+        return Counted()
     if noun in SEVERAL:
         tokens.cut(at, stated.end)
         tokens.notes += [] if word in SAY_LITTLE else [f"{word}: one thing is made at a time."]
@@ -302,13 +323,17 @@ def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counte
     count, order = _fitting(noun, stated)
     if word == "some" and noun in PAIRED:
         count = 2
-    if _number(word) > MOST:
-        tokens.notes.append(f"{word}: {count} are made.")
     for k in reversed(range(stated.end, head.begin)):
         if words[k] in LAID:
-            order = "stack"
+            order = order if stated.is_pile else LAID[words[k]][0]
             tokens.cut(k, k + 1)
     order = _cut_how_it_lies(tokens, head.end) or order
+    if order in PAIRS and count != 2:
+        order = "row"
+    if order == "circle" and _number(word):
+        count = min(_number(word), MOST_IN_CIRCLE)
+    if _number(word) > MOST and count != _number(word):
+        tokens.notes.append(f"{word}: {count} are made.")
     tokens.cut(at, stated.end)
     if stated.is_pile:
         _leave_its_size(tokens, at)
@@ -351,7 +376,10 @@ def _plain(tokens: Tokens) -> Counted:
     noun = tokens.thing(head.name(tokens))
     if noun in PAIRED:
         return Counted(2)
-    if noun not in SEVERAL and tokens.words[at - 1 : at] == ["stacked"]:
+    laid = next(iter(tokens.words[at - 1 : at]), "") if at else ""
+    if noun not in SEVERAL and laid in LAID:
         tokens.cut(at - 1, at)
-        return Counted(FEW, "stack")
-    return Counted()
+        order, count = LAID[laid]
+        return Counted(count, order)
+    order = _cut_how_it_lies(tokens, head.end) if noun not in SEVERAL else None
+    return Counted(COUNTS_OF[order], order) if order else Counted()

@@ -26,6 +26,8 @@ _IDIOMS = {
         "scroll"
     ),
     r"(?<=bottle with a )(?:message|letter|note)": "scroll",
+    r"(?<=typewriter with a )(?:(?:blank|white|fresh) )?(?:sheet|page|piece) of paper": "paper",
+    r"(?<=glove with a )(?:ball|baseball)": "baseball",
     rf"mushroom with (?:an? )?{_DOOR}(?: and (?:an? )?{_DOOR})?": "mushroom house",
 }
 _PATTERNS = {re.compile(rf"\b{idiom}\b", re.IGNORECASE): meant for idiom, meant in _IDIOMS.items()}

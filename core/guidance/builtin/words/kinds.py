@@ -29,7 +29,9 @@ _ROWS = {
     "canada goose": "umber; bill: charcoal; feet: charcoal",
     "pheasant, partridge, quail": "chestnut",
     "grouse": "umber",
-    "chick, baby chick, seagull chick": "yellow",
+    "chick, baby chick, seagull chick, gosling": "yellow",
+    "duckling": "yellow; bill: orange",
+    "cygnet": "ash grey; bill: charcoal",
     # cats, dogs and similar animals
     "panther, black panther": "black; spots: charcoal; muzzle: charcoal",
     "snow leopard": "ash grey; spots: charcoal; muzzle: white",

@@ -10,7 +10,7 @@ Standard library only, so that ``run.py words`` and the panel need not load a ne
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -19,10 +19,10 @@ from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.asking import asked_for
-from core.guidance.builtin.words.companion_fit import Found, Read
+from core.guidance.builtin.words.companion_fit import Found, Read, Reader
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
-from core.guidance.builtin.words.companions import MOST, companions_in
+from core.guidance.builtin.words.companions import MOST, companions_in, one_more
 from core.guidance.builtin.words.cuts import SLICE_SIZE, cut_of, in_cut_words
 from core.guidance.builtin.words.emblems import emblems_in, plural
 from core.guidance.builtin.words.fillings import in_a_vessel
@@ -33,6 +33,7 @@ from core.guidance.builtin.words.idioms import in_known_words
 from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.made_of import as_made_of
 from core.guidance.builtin.words.moods import mood_in
+from core.guidance.builtin.words.offspring import parents_named
 from core.guidance.builtin.words.part_names import looks_of, own_name
 from core.guidance.builtin.words.passives import as_phrase, made_active
 from core.guidance.builtin.words.pictures import of_no_picture
@@ -46,6 +47,7 @@ from core.guidance.builtin.words.prompt_errors import (
     unknown_error,
 )
 from core.guidance.builtin.words.reading import Reading
+from core.guidance.builtin.words.rephrasing import snake_first, tree_first, turned_around
 from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
@@ -163,7 +165,8 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = made_active(as_phrase(MINE.sub("", prompt)))
+    prompt = tree_first(snake_first(apart_from_texts(prompt, turned_around)))
+    prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     return replace(_of_thing(prompt, known, ignore_unknown), style=style)
 
 
@@ -252,22 +255,31 @@ def _parsed(
     if not noun_needed:
         return _parse_alone(prompt, False, known, ignore_unknown)
     prompt, costume = undisguised(prompt)
-    companions, rest = _companions(prompt, known, ignore_unknown, costume, room)
-    if companions:
+    readers = _readers(known, ignore_unknown)
+    companions, rest = _companions(prompt, readers, costume, room)
+    try:
+        words = _parse_alone(rest, True, known, ignore_unknown)
+    except UserError:  # the rest is not a prompt by itself
+        if not companions:
+            raise
+        return _parse_alone(prompt, True, known, ignore_unknown)
+    while len(companions) < min(room, MOST):
+        more, shorter = one_more(rest, *readers, companions, words.left_out)
         try:
-            words = _parse_alone(rest, True, known, ignore_unknown)
-        except UserError:  # the rest is not a prompt by itself
-            return _parse_alone(prompt, True, known, ignore_unknown)
+            shorter_words = _parse_alone(shorter, True, known, ignore_unknown) if more else words
+        except UserError:
+            break
+        if not more or shorter_words.noun != words.noun:
+            break
+        companions, rest, words = [*companions, *more], shorter, shorter_words
+    if companions:
         others = [(one.relation, one.words.noun) for one in companions]
         return with_companions(in_a_vessel(words, rest, others), companions)
-    return _parse_alone(prompt, True, known, ignore_unknown)
+    return words
 
 
-def _companions(
-    prompt: str, known: Vocabulary, ignore_unknown: bool, costume: Iterable[str], room: int
-) -> tuple[list[Found], str]:
-    """The companions that the prompt requests, and the prompt without them; those of a costume come
-    last."""
+def _readers(known: Vocabulary, ignore_unknown: bool) -> tuple[Reader, Callable[[str], str]]:
+    """Functions that parse a phrase by itself, and that find the thing that a text names first."""
 
     @cache
     def read(phrase: str) -> Read | None:
@@ -283,6 +295,18 @@ def _companions(
     def first_of(text: str) -> str:
         return _read(text, known, True).thing
 
+    return read, first_of
+
+
+def _companions(
+    prompt: str,
+    readers: tuple[Reader, Callable[[str], str]],
+    costume: Iterable[str],
+    room: int,
+) -> tuple[list[Found], str]:
+    """The companions that the prompt requests, and the prompt without them; those of a costume come
+    last."""
+    read, first_of = readers
     found, rest = companions_in(prompt, read, first_of)
     thing = first_of(rest)
     for one in costume if is_dressed(thing) else ():
