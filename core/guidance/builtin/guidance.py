@@ -21,6 +21,7 @@ from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.wearing import freed
+from core.guidance.builtin.counted_solid import CountedSolid
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.markings import (
@@ -37,7 +38,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncut, unsized
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncounted, uncut, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -183,7 +184,8 @@ class PromptedBuiltin(PromptedGuidance):
         generator = torch.Generator().manual_seed(seed)
         solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
         solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
-        solid = PaintedSolid(words, solid, whole).fitting().solid
+        painted = PaintedSolid(words, solid, whole)
+        solid = (painted.counted() if whole else painted).fitting().solid
         return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
@@ -195,6 +197,8 @@ class PromptedBuiltin(PromptedGuidance):
         solid, parts = self.solid, self.parts()
         if solid is None or parts is None:
             return self
+        if isinstance(solid, CountedSolid):  # a guide has its own number of them
+            solid = solid.drawn_alone()
         made = bent(solid, parts.forms.flat, guide, strength, least)
         return PromptedBuiltin(self.builtin, self.words, self.negative, made, whole=False)
 
@@ -222,7 +226,8 @@ class PromptedBuiltin(PromptedGuidance):
         if self.painted is None:
             drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
             notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
-            return (*notes, *unsized(self.words), *uncut(self.words))
+            unmade = (*unsized(self.words), *uncounted(self.words), *uncut(self.words))
+            return (*notes, *unmade)
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

@@ -57,6 +57,7 @@ class Words:
     style: Style = ""  # of the shape
     absent: tuple[str, ...] = ()  # parts that are left out on request
     part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words
+    part_counts: tuple[tuple[str, int], ...] = ()  # parts with a stated number of components
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     companions: tuple["Companion", ...] = ()  # other things that are made with it
     count: int = 1  # how many of it are made

@@ -125,6 +125,7 @@ def _looks(words: Words) -> dict[str, Any]:
         "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
         "part_sizes": dict(words.part_sizes),
+        "part_counts": dict(words.part_counts),
         "part_colours": words.part_shades(),
         "materials": [words.named_material()] if words.material else [],
         "part_materials": words.part_materials(),
@@ -343,6 +344,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
         words["absent"] = tuple(dict.fromkeys((*words["absent"], OWN_EMBLEM)))
     words |= {"pose": pose, "mood": "" if mooded.is_drawn else mooded.mood, "cut": cut}
     words["part_sizes"] = got.part_sizes(words["noun"])
+    words["part_counts"] = got.part_counts(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))

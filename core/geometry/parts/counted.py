@@ -1,0 +1,236 @@
+"""Another number of similar components of a part: five candles on a cake that is drawn with three.
+
+The components are arranged as the drawn ones are (:mod:`core.geometry.parts.arrangements`). Each
+copy is seated: moved along its own direction until it is as deep in the other parts as the drawn
+one is. What only touches one of the components goes with it: a candle's flame, a drawer's handle.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from jaxtyping import Float
+from scipy.spatial import cKDTree
+from torch import Tensor
+
+from core.geometry.mesh import face_areas
+from core.geometry.parts.arrangements import Spot, arrangements
+from core.geometry.parts.components import Component, Distances
+
+SIMILAR = 1.7  # times the area of the largest one's: what is smaller is no such component
+SOME = 300  # vertices of each that are looked at
+DEEP = 0.1  # quantile of the distances from the other parts: how deep a component is in them
+TOUCHES = 0.03  # training units, from what it is attached to
+BURIED = 0.2  # of the surface, more than of the drawn one's: inside other parts at most
+INTO = 0.08  # of its width: how far a copy is within another at most, or as far as the drawn ones
+REACH, STEPS = 0.6, 49  # of its size, along its direction, and places where it may be seated
+RIDES = 0.04  # training units, from the component that it goes with
+AWAY = 0.15  # of its spread, from where it is attached to its middle
+
+
+class Copy(NamedTuple):
+    """A component in another place: ``matrix`` @ point + ``shift``."""
+
+    part: int
+    source: int  # among the components
+    matrix: Float[Tensor, "3 3"]
+    shift: Float[Tensor, " 3"]
+
+    def out(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """Points of the drawn one in the copy's place."""
+        return points @ self.matrix.T.to(points) + self.shift.to(points)
+
+    def into(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
+        """The inverse of :meth:`out`."""
+        return (points - self.shift.to(points)) @ torch.linalg.inv(self.matrix).T.to(points)
+
+    @property
+    def least(self) -> float:
+        """The least factor of a distance."""
+        return float(torch.linalg.svdvals(self.matrix).min())
+
+
+class Recount(NamedTuple):
+    """Components that are replaced, and the copies in their place."""
+
+    replaced: tuple[int, ...]
+    copies: tuple[Copy, ...]
+
+
+def recounted(
+    distances: Distances, components: Sequence[Component], part: int, count: int
+) -> Recount | None:
+    """What makes ``count`` similar components of the part; None where that isn't possible."""
+    group = similar_of(components, part)
+    if len(group) == count:
+        return Recount((), ())
+    if len(group) < 2 or count < 1:
+        return None
+    stage = _Stage(distances, components, part, group)
+    for spots in arrangements(stage.middles, stage.sizes, count, len(group) - 1):
+        if copies := stage.seated(spots):
+            return Recount(tuple(group) + tuple(stage.riders), tuple(copies))
+    return None
+
+
+def similar_of(components: Sequence[Component], part: int) -> list[int]:
+    """The part's components of about the size of its largest one."""
+    area = {
+        k: float(face_areas(one.verts, one.faces).sum())
+        for k, one in enumerate(components)
+        if one.place.part == part
+    }
+    return [k for k, size in area.items() if size * SIMILAR >= max(area.values())]
+
+
+@dataclass
+class _Stage:
+    """The drawn components that are counted, and what is around them."""
+
+    distances: Distances
+    components: Sequence[Component]
+    part: int
+    group: list[int]
+
+    @cached_property
+    def some(self) -> list[Float[Tensor, "s 3"]]:
+        """Vertices of each of the group."""
+        each = (self.components[k].verts for k in self.group)
+        return [verts[:: -(-len(verts) // SOME)] for verts in each]
+
+    @cached_property
+    def middles(self) -> Float[np.ndarray, "k 3"]:
+        """The middle of each one's box."""
+        boxes = [self._box(k) for k in self.group]
+        return torch.stack([(low + high) / 2 for low, high in boxes]).double().numpy()
+
+    @cached_property
+    def sizes(self) -> Float[np.ndarray, "k 3"]:
+        """The sides of each one's box."""
+        boxes = [self._box(k) for k in self.group]
+        return torch.stack([high - low for low, high in boxes]).double().numpy()
+
+    def _box(self, k: int) -> tuple[Tensor, Tensor]:
+        verts = self.components[k].verts
+        return verts.amin(0), verts.amax(0)
+
+    @cached_property
+    def riders(self) -> dict[int, int]:
+        """Components of other parts that only touch one of the group, as many of a part on each:
+        the index in the group of the one that each goes with."""
+        found: dict[int, int] = {}
+        trees = [cKDTree(self.components[k].verts.numpy()) for k in self.group]
+        others = [k for k in range(len(self.components)) if k not in self.group]
+        for part in sorted({self.components[k].place.part for k in others} - {self.part}):
+            own = [k for k in others if self.components[k].place.part == part]
+            on = [self._borne_by(k, trees) for k in own]
+            each = [on.count(index) for index in range(len(self.group))]
+            if None not in on and min(each) == max(each) > 0:
+                found |= {k: index for k, index in zip(own, on, strict=True) if index is not None}
+        return found
+
+    def _borne_by(self, k: int, trees: Sequence[cKDTree]) -> int | None:
+        component = self.components[k]
+        verts = component.verts[:: -(-len(component.verts) // SOME)]
+        gaps = [float(tree.query(verts.numpy())[0].min()) for tree in trees]
+        nearest = int(np.argmin(gaps))
+        away = self.distances(verts)
+        rest = [c for c in range(away.shape[1]) if c not in (self.part, component.place.part)]
+        apart = float(away[:, rest].min()) if rest else np.inf
+        own = float(away[:, self.part].min())
+        return nearest if gaps[nearest] < RIDES and own < apart else None
+
+    def others(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """The distance from all parts but the group's and its riders'."""
+        gone = {self.part, *(self.components[k].place.part for k in self.riders)}
+        away = self.distances(points)
+        return away[:, [k for k in range(away.shape[1]) if k not in gone]].amin(1)
+
+    @cached_property
+    def attached(self) -> list[Float[Tensor, " s"]]:
+        """The distances of the vertices of each of the group from what is around them."""
+        return [self.others(verts) for verts in self.some]
+
+    def direction(self, index: int) -> Float[Tensor, " 3"]:
+        """From where one of the group is attached to its middle; up where it is in the middle of
+        that."""
+        verts, off = self.some[index], self.attached[index]
+        at = verts[off <= max(0.0, float(off.quantile(DEEP)))].mean(0)
+        away = (verts.amin(0) + verts.amax(0)) / 2 - at
+        if away.norm() < AWAY * (verts.amax(0) - verts.amin(0)).norm():
+            return torch.tensor([0.0, 0.0, 1.0])
+        away = away / away.norm()
+        axis = int(away.abs().argmax())
+        upright = torch.zeros(3)
+        upright[axis] = away[axis].sign()
+        return upright if away[axis].abs() > 0.9 else away
+
+    def seated(self, spots: Sequence[Spot]) -> list[Copy] | None:
+        """The copies at these spots, each as deep in the other parts as the drawn one is, with
+        their riders; None where one has no hold or meets another."""
+        placed: list[tuple[Spot, Copy]] = []
+        for spot in spots:
+            copy = self._seated(spot)
+            if copy is None or any(self._meet(copy, other) for _, other in placed):
+                return None
+            placed.append((spot, copy))
+        found = [copy for _, copy in placed]
+        for spot, copy in placed:
+            for k, index in self.riders.items():
+                if index == spot.source:
+                    found.append(self._ridden(k, spot, copy))
+        return found
+
+    def _seated(self, spot: Spot) -> Copy | None:
+        verts, off = self.some[spot.source], self.attached[spot.source]
+        middle = torch.from_numpy(self.middles[spot.source]).float()
+        turn = torch.from_numpy(spot.turn).float()
+        matrix = turn @ torch.diag(torch.from_numpy(spot.scale).float())
+        shift = torch.from_numpy(spot.at).float() - matrix @ middle
+        copy = Copy(self.part, self.group[spot.source], matrix, shift)
+        there = copy.out(verts)
+        if spot.stays:
+            return copy
+        way = turn @ self.direction(spot.source)
+        size = float((verts.amax(0) - verts.amin(0)).max())
+        steps = torch.linspace(-REACH, REACH, STEPS) * size
+        steps = steps[steps.abs().argsort()]
+        deep = float(off.quantile(DEEP))
+        away = self.others((there + steps[:, None, None] * way).view(-1, 3)).view(STEPS, -1)
+        depth = away.quantile(DEEP, dim=1) - deep
+        fits = depth.abs() <= TOUCHES / 2
+        fits &= (away < 0).float().mean(1) <= float((off < 0).float().mean()) + BURIED
+        fits &= away.amin(1) <= max(TOUCHES, float(off.min()) + TOUCHES / 2)
+        if not fits.any():
+            return None
+        near = fits.nonzero()[0, 0]
+        # Of neighbouring places the one that is as deep.
+        close = fits & ((steps - steps[near]).abs() <= 2.5 * REACH * size / STEPS * 2)
+        best = torch.where(close, depth.abs(), torch.inf).argmin()
+        return copy._replace(shift=shift + steps[best] * way)
+
+    def _meet(self, one: Copy, other: Copy) -> bool:
+        """Whether two copies are in one another, more than the drawn ones are."""
+        verts = self.some[self.group.index(other.source)]
+        local = one.into(other.out(verts))
+        own = self.components[one.source].verts
+        low, high = own.amin(0), own.amax(0)
+        inside = ((local > low) & (local < high)).all(1)
+        if not inside.any():
+            return False
+        tree = cKDTree(own.numpy())
+        near = local[inside]
+        near = near[torch.from_numpy(tree.query(near.numpy())[0]) < (high - low).max()]
+        within = float(self.distances(near)[:, self.part].min())
+        return within < -max(INTO * float((high - low).min()), 0.0)
+
+    def _ridden(self, k: int, spot: Spot, copy: Copy) -> Copy:
+        """A component that goes with one of the group, unscaled."""
+        verts = self.components[k].verts
+        middle = ((verts.amin(0) + verts.amax(0)) / 2)[None]
+        turn = torch.from_numpy(spot.turn).float()
+        shift = (copy.out(middle) - middle @ turn.T)[0]
+        return Copy(self.components[k].place.part, k, turn, shift)
