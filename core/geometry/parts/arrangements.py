@@ -37,9 +37,8 @@ class Spot(NamedTuple):
     stays: bool = False  # where it was drawn, or as firm as there
 
 
-def arrangements(middles: Points, sizes: Points, count: int, last: int) -> Iterator[Sequence[Spot]]:
+def arrangements(middles: Points, sizes: Points, count: int) -> Iterator[Sequence[Spot]]:
     """Spots for ``count`` components, from the drawn ones' middles and sizes."""
-    assert last == len(middles) - 1
     for arranged in (_tiles, _ring, _corners, _pairs, _row, _fewer, _scattered, _heaped):
         yield from arranged(middles, sizes, count)
 

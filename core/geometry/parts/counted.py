@@ -5,9 +5,10 @@ copy is seated: moved along its own direction until it is as deep in the other p
 one is. What only touches one of the components goes with it: a candle's flame, a drawer's handle.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from torch import Tensor
 
 from core.geometry.mesh import face_areas
 from core.geometry.parts.arrangements import Spot, arrangements
+from core.geometry.parts.balls import Ball, balls_of
 from core.geometry.parts.components import Component, Distances
 
 SIMILAR = 1.7  # times the area of the largest one's: what is smaller is no such component
@@ -58,6 +60,7 @@ class Recount(NamedTuple):
 
     replaced: tuple[int, ...]
     copies: tuple[Copy, ...]
+    balls: Mapping[int, Ball] = MappingProxyType({})  # that one component is taken apart into
 
 
 def recounted(
@@ -65,14 +68,20 @@ def recounted(
 ) -> Recount | None:
     """What makes ``count`` similar components of the part; None where that isn't possible."""
     group = similar_of(components, part)
+    replaced, balls = tuple(group), {}
+    if len(group) == 1 and count != 1:
+        balls = dict(enumerate(balls_of(components[group[0]]), len(components)))
+        whole = components[group[0]]
+        apart = [whole._replace(verts=ball.points()) for ball in balls.values()]
+        components, group = [*components, *apart], [*balls] or group
     if len(group) == count:
         return Recount((), ())
     if len(group) < 2 or count < 1:
         return None
-    stage = _Stage(distances, components, part, group)
-    for spots in arrangements(stage.middles, stage.sizes, count, len(group) - 1):
+    stage = _Stage(distances, components, part, group, balls)
+    for spots in arrangements(stage.middles, stage.sizes, count):
         if copies := stage.seated(spots):
-            return Recount(tuple(group) + tuple(stage.riders), tuple(copies))
+            return Recount((*replaced, *stage.riders), tuple(copies), balls)
     return None
 
 
@@ -94,6 +103,7 @@ class _Stage:
     components: Sequence[Component]
     part: int
     group: list[int]
+    balls: Mapping[int, Ball]
 
     @cached_property
     def some(self) -> list[Float[Tensor, "s 3"]]:
@@ -123,8 +133,8 @@ class _Stage:
         the index in the group of the one that each goes with."""
         found: dict[int, int] = {}
         trees = [cKDTree(self.components[k].verts.numpy()) for k in self.group]
-        others = [k for k in range(len(self.components)) if k not in self.group]
-        for part in sorted({self.components[k].place.part for k in others} - {self.part}):
+        others = [k for k, one in enumerate(self.components) if one.place.part != self.part]
+        for part in sorted({self.components[k].place.part for k in others}):
             own = [k for k in others if self.components[k].place.part == part]
             on = [self._borne_by(k, trees) for k in own]
             each = [on.count(index) for index in range(len(self.group))]
@@ -218,14 +228,12 @@ class _Stage:
         local = one.into(other.out(verts))
         own = self.components[one.source].verts
         low, high = own.amin(0), own.amax(0)
-        inside = ((local > low) & (local < high)).all(1)
-        if not inside.any():
+        near = local[((local > low) & (local < high)).all(1)]
+        if not len(near):
             return False
-        tree = cKDTree(own.numpy())
-        near = local[inside]
-        near = near[torch.from_numpy(tree.query(near.numpy())[0]) < (high - low).max()]
-        within = float(self.distances(near)[:, self.part].min())
-        return within < -max(INTO * float((high - low).min()), 0.0)
+        ball = self.balls.get(one.source)
+        away = ball.distance(near) if ball else self.distances(near)[:, self.part]
+        return float(away.min()) < -INTO * float((high - low).min())
 
     def _ridden(self, k: int, spot: Spot, copy: Copy) -> Copy:
         """A component that goes with one of the group, unscaled."""

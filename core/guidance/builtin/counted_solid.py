@@ -9,6 +9,7 @@ from jaxtyping import Float
 from scipy.spatial import cKDTree
 from torch import Tensor
 
+from core.geometry.parts.balls import Ball
 from core.geometry.parts.components import Component, Distances
 from core.geometry.parts.counted import Copy, Recount, recounted
 from core.geometry.tet_grid import EXTENT
@@ -29,6 +30,7 @@ class Moved:
     replaced: tuple[int, ...]
     boxes: Mapping[int, tuple[Tensor, Tensor]]
     copies: tuple[Copy, ...]
+    balls: Mapping[int, Ball]
 
     def distance(
         self, drawn: Float[Tensor, " n"], points: Float[Tensor, "n 3"], known: Distances
@@ -49,7 +51,9 @@ class Moved:
             beyond = torch.maximum(low - local, local - high).clamp_min(0).norm(dim=1)
             here = (beyond < ROOM).nonzero().squeeze(1)
             away = ROOM + beyond
-            if len(here):
+            if ball := self.balls.get(copy.source):
+                away[here] = ball.distance(local[here])
+            elif len(here):
                 own = known(local[here])[:, self.part]
                 _, nearest = tree.query(local[here].cpu().numpy())
                 mine = torch.from_numpy(self.owner[nearest] == copy.source)
@@ -107,7 +111,11 @@ def counted_solid(
 
 def _is_within(components: list[Component], found: Recount) -> bool:
     """Whether all copies are in the cube."""
-    each = (copy.out(components[copy.source].verts) for copy in found.copies)
+    each = (
+        copy.out(ball.points() if ball else components[copy.source].verts)
+        for copy in found.copies
+        for ball in [found.balls.get(copy.source)]
+    )
     return all(float(verts.abs().max()) < INSIDE for verts in each)
 
 
@@ -116,10 +124,15 @@ def _moved(components: list[Component], found: Recount) -> list[Moved]:
     made = []
     for part in dict.fromkeys(components[k].place.part for k in found.replaced):
         own = [k for k, one in enumerate(components) if one.place.part == part]
+        boxes = {k: _box(components[k].verts) for k in own}
+        boxes |= {k: _box(ball.points()) for k, ball in found.balls.items()}
         verts = np.concatenate([components[k].verts.numpy() for k in own])
         owner = np.concatenate([np.full(len(components[k].verts), k) for k in own])
-        boxes = {k: (components[k].verts.amin(0), components[k].verts.amax(0)) for k in own}
         copies = tuple(copy for copy in found.copies if copy.part == part)
         replaced = tuple(k for k in found.replaced if k in own)
-        made.append(Moved(part, verts, owner, replaced, boxes, copies))
+        made.append(Moved(part, verts, owner, replaced, boxes, copies, found.balls))
     return made
+
+
+def _box(points: Float[Tensor, "n 3"]) -> tuple[Float[Tensor, " 3"], Float[Tensor, " 3"]]:
+    return points.amin(0), points.amax(0)

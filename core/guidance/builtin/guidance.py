@@ -38,7 +38,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncounted, uncut, unsized
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncounted_of, uncut, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -65,6 +65,7 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
+COUNTED = 4  # drawings at most, until its parts are as many as stated
 NOT_DRAWN_ON = (
     "left out, as text, emblems and moods are drawn only on what the built-in prior draws itself, "
     "not on your mesh or a distilled shape."
@@ -181,11 +182,15 @@ class PromptedBuiltin(PromptedGuidance):
         gone |= {part for part in parts if is_marking(words.noun, part)}
         absent = [k for k, part in enumerate(parts) if part in gone]
         absent += range(len(parts), len(looks(solid_of(words.noun))))
-        generator = torch.Generator().manual_seed(seed)
-        solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
-        solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
-        painted = PaintedSolid(words, solid, whole)
-        solid = (painted.counted() if whole else painted).fitting().solid
+        generator, found = torch.Generator().manual_seed(seed), []
+        for _ in range(COUNTED if words.part_counts and whole else 1):
+            solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
+            solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
+            painted = PaintedSolid(words, solid, whole)
+            found.append(painted.counted() if whole else painted)
+            if not any(found[-1].uncounted()):
+                break
+        solid = min(found, key=lambda one: len(list(one.uncounted()))).fitting().solid
         return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
@@ -226,7 +231,7 @@ class PromptedBuiltin(PromptedGuidance):
         if self.painted is None:
             drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
             notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
-            unmade = (*unsized(self.words), *uncounted(self.words), *uncut(self.words))
+            unmade = (*unsized(self.words), *uncounted_of(self.words), *uncut(self.words))
             return (*notes, *unmade)
         return self.painted.left_out()
 

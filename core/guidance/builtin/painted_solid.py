@@ -275,14 +275,14 @@ class PaintedSolid:
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
-            *self._uncounted(),
+            *self.uncounted(),
             *(() if drawn else (*unsized(self.words), *uncut(self.words))),
         )
 
-    def _uncounted(self) -> Iterator[str]:
+    def uncounted(self) -> Iterator[str]:
         """A note on each part whose number is left out."""
         if not isinstance(self.solid, CountedSolid):
-            yield from uncounted(self.words)
+            yield from uncounted_of(self.words)
             return
         names = list(looks(self.words.noun))
         unfit = {names[part] for part in self.solid.unfit}
@@ -303,7 +303,7 @@ def unsized(words: Words) -> Iterator[str]:
     return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
 
 
-def uncounted(words: Words) -> Iterator[str]:
+def uncounted_of(words: Words) -> Iterator[str]:
     """A note on each part whose number is left out."""
     return (f"{count} {part}: {UNCOUNTED}" for part, count in words.part_counts)
 
