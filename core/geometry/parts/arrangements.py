@@ -19,6 +19,8 @@ IN_LINE = 0.14  # of a row's length, its spread across
 TILED = 0.45  # of its side: components with smaller gaps fill their row
 APART = 1.12  # of its side, from one to the next
 BEYOND = 1.35  # of the drawn span: how much longer a row may become
+LIFTS = (0.85, 0.95, 1.1)  # of its height: how far above a pair the odd one is
+SHRUNK = (1.0, 0.94, 0.86, 0.78, 0.7)  # of its size: what has too little room in a heap
 INNER = 1.25  # of its width: how much smaller the next ring inwards is
 TRIES = 160  # places of a scattered one
 ALIKE = 0.5  # of its side: places of a row or a column that differ by less are one
@@ -204,10 +206,11 @@ def _pairs(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
             lift = np.array([0.0, 0.0, way * k * APART * tall])
             spots += [Spot(i, middles[i] + lift, stays=k == 0) for i in range(2)]
         if odd:
-            room = apart >= 2 * APART * wide or not pairs
-            lift = 0.0 if room else way * APART * pairs * tall
-            for more in dict.fromkeys((lift, way * APART * pairs * tall, way * 0.6 * tall)):
-                yield [*spots, Spot(0, center + np.array([0.0, 0.0, more]))]
+            lifts = [way * (by + APART * (pairs - 1)) * tall for by in LIFTS]
+            if not pairs or apart >= 2 * APART * wide:
+                lifts = [0.0, *lifts]
+            for lift in lifts:
+                yield [*spots, Spot(0, center + np.array([0.0, 0.0, lift]))]
         else:
             yield spots
 
@@ -289,14 +292,15 @@ def _heaped(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
     if count <= len(middles):
         return
     center, wide = middles.mean(0), float(sizes[:, :2].mean())
-    for tight in (1.0, 0.94):
-        apart = APART * tight * wide
+    for size in SHRUNK:
+        apart = APART * size * wide
         inner = 1 if count > 5 else 0
         around = count - inner
         radius = max(apart / (2 * np.sin(np.pi / around)), apart * inner)
-        spots = [Spot(0, center)] if inner else []
+        scale = np.full(3, size)
+        spots = [Spot(0, center, scale=scale)] if inner else []
         for k in range(around):
             angle = -np.pi / 2 + 2 * np.pi * k / around
             at = center + radius * np.array([np.cos(angle), np.sin(angle), 0.0])
-            spots.append(Spot(k % len(middles), at))
+            spots.append(Spot(k % len(middles), at, scale=scale))
         yield spots

@@ -14,13 +14,14 @@ from typing import NamedTuple
 import numpy as np
 import torch
 from jaxtyping import Float
+from scipy import ndimage
 from scipy.spatial import cKDTree
 from torch import Tensor
 
 from core.geometry.mesh import face_areas
 from core.geometry.parts.arrangements import Spot, arrangements
 from core.geometry.parts.balls import Ball, balls_of
-from core.geometry.parts.components import Component, Distances
+from core.geometry.parts.components import ALSO, Component, Distances
 
 SIMILAR = 1.7  # times the area of the largest one's: what is smaller is no such component
 SOME = 300  # vertices of each that are looked at
@@ -28,7 +29,7 @@ DEEP = 0.1  # quantile of the distances from the other parts: how deep a compone
 TOUCHES = 0.03  # training units, from what it is attached to
 BURIED = 0.2  # of the surface, more than of the drawn one's: inside other parts at most
 INTO = 0.08  # of its width: how far a copy is within another at most, or as far as the drawn ones
-REACH, STEPS = 0.6, 49  # of its size, along its direction, and places where it may be seated
+REACH, STEPS = 0.75, 61  # of its size, along its direction, and places where it may be seated
 RIDES = 0.04  # training units, from the component that it goes with
 AWAY = 0.15  # of its spread, from where it is attached to its middle
 
@@ -61,6 +62,7 @@ class Recount(NamedTuple):
     replaced: tuple[int, ...]
     copies: tuple[Copy, ...]
     balls: Mapping[int, Ball] = MappingProxyType({})  # that one component is taken apart into
+    apart: Mapping[int, Component] = MappingProxyType({})  # or what of it is apart outside others
 
 
 def recounted(
@@ -68,12 +70,15 @@ def recounted(
 ) -> Recount | None:
     """What makes ``count`` similar components of the part; None where that isn't possible."""
     group = similar_of(components, part)
-    replaced, balls = tuple(group), {}
+    replaced, balls, apart = tuple(group), {}, {}
     if len(group) == 1 and count != 1:
-        balls = dict(enumerate(balls_of(components[group[0]]), len(components)))
-        whole = components[group[0]]
-        apart = [whole._replace(verts=ball.points()) for ball in balls.values()]
-        components, group = [*components, *apart], [*balls] or group
+        whole, last = components[group[0]], len(components)
+        balls = dict(enumerate(balls_of(whole), last))
+        each = [whole._replace(verts=ball.points()) for ball in balls.values()]
+        each = each or apart_outside(distances, whole)
+        if not balls:
+            apart = dict(enumerate(each, last))
+        components, group = [*components, *each], list(range(last, last + len(each))) or group
     if len(group) == count:
         return Recount((), ())
     if len(group) < 2 or count < 1:
@@ -81,7 +86,7 @@ def recounted(
     stage = _Stage(distances, components, part, group, balls)
     for spots in arrangements(stage.middles, stage.sizes, count):
         if copies := stage.seated(spots):
-            return Recount((*replaced, *stage.riders), tuple(copies), balls)
+            return Recount((*replaced, *stage.riders), tuple(copies), balls, apart)
     return None
 
 
@@ -93,6 +98,33 @@ def similar_of(components: Sequence[Component], part: int) -> list[int]:
         if one.place.part == part
     }
     return [k for k, size in area.items() if size * SIMILAR >= max(area.values())]
+
+
+def apart_outside(distances: Distances, component: Component) -> list[Component]:
+    """What of a component is apart where it is outside all other parts: the fins of a rocket, which
+    are joined within its hull. Each has the vertices that are nearest to it."""
+    values, cell = component.lattice.values, component.lattice.cell
+    nodes = np.stack(np.nonzero(values < 0), 1) * cell + component.lattice.low
+    outside = np.zeros(values.shape, bool)
+    outside[values < 0] = (_away(distances, component, nodes) > 0).numpy()
+    labels = np.zeros(values.shape, np.int32)
+    ndimage.label(outside, output=labels)
+    number = np.bincount(labels.ravel())[1:]
+    large = np.flatnonzero(number >= ALSO * number.max(initial=0)) + 1
+    if len(large) < 2:
+        return []
+    at = np.nonzero(np.isin(labels, large))
+    tree = cKDTree(np.stack(at, 1) * cell + component.lattice.low)
+    owner = labels[at][tree.query(component.verts.numpy())[1]]
+    return [component._replace(verts=component.verts[torch.from_numpy(owner == k)]) for k in large]
+
+
+def _away(
+    distances: Distances, component: Component, points: Float[np.ndarray, "n 3"]
+) -> Float[Tensor, " n"]:
+    """The distance of points from all parts but the component's."""
+    away = distances(torch.from_numpy(points).float())
+    return away[:, [k for k in range(away.shape[1]) if k != component.place.part]].amin(1)
 
 
 @dataclass

@@ -111,26 +111,28 @@ def counted_solid(
 
 def _is_within(components: list[Component], found: Recount) -> bool:
     """Whether all copies are in the cube."""
-    each = (
-        copy.out(ball.points() if ball else components[copy.source].verts)
-        for copy in found.copies
-        for ball in [found.balls.get(copy.source)]
-    )
-    return all(float(verts.abs().max()) < INSIDE for verts in each)
+    drawn = dict(enumerate(components)) | dict(found.apart)
+    verts = {k: one.verts for k, one in drawn.items()}
+    verts |= {k: ball.points() for k, ball in found.balls.items()}
+    each = (copy.out(verts[copy.source]) for copy in found.copies)
+    return all(float(one.abs().max()) < INSIDE for one in each)
 
 
 def _moved(components: list[Component], found: Recount) -> list[Moved]:
     """The replaced components and the copies, by part."""
     made = []
     for part in dict.fromkeys(components[k].place.part for k in found.replaced):
-        own = [k for k, one in enumerate(components) if one.place.part == part]
-        boxes = {k: _box(components[k].verts) for k in own}
+        own = {k: one for k, one in enumerate(components) if one.place.part == part}
+        whole = [k for k in found.replaced if k in own]
+        if any(one.place.part == part for one in found.apart.values()):
+            own = {k: one for k, one in own.items() if k not in whole} | dict(found.apart)
+            whole = list(found.apart)
+        verts = np.concatenate([one.verts.numpy() for one in own.values()])
+        owner = np.concatenate([np.full(len(one.verts), k) for k, one in own.items()])
+        boxes = {k: _box(one.verts) for k, one in own.items()}
         boxes |= {k: _box(ball.points()) for k, ball in found.balls.items()}
-        verts = np.concatenate([components[k].verts.numpy() for k in own])
-        owner = np.concatenate([np.full(len(components[k].verts), k) for k in own])
         copies = tuple(copy for copy in found.copies if copy.part == part)
-        replaced = tuple(k for k in found.replaced if k in own)
-        made.append(Moved(part, verts, owner, replaced, boxes, copies, found.balls))
+        made.append(Moved(part, verts, owner, tuple(whole), boxes, copies, found.balls))
     return made
 
 
