@@ -19,7 +19,8 @@ IN_LINE = 0.14  # of a row's length, its spread across
 TILED = 0.45  # of its side: components with smaller gaps fill their row
 APART = 1.12  # of its side, from one to the next
 BEYOND = 1.35  # of the drawn span: how much longer a row may become
-LIFTS = (0.85, 0.95, 1.1)  # of its height: how far above a pair the odd one is
+# The size of the odd one above a pair, and how far above it is, of the height of one.
+LIFTS = ((1.0, 0.85), (1.0, 1.0), (0.75, 0.7), (0.75, 0.85), (0.6, 0.65), (0.6, 0.8))
 SHRUNK = (1.0, 0.94, 0.86, 0.78, 0.7)  # of its size: what has too little room in a heap
 INNER = 1.25  # of its width: how much smaller the next ring inwards is
 TRIES = 160  # places of a scattered one
@@ -206,11 +207,13 @@ def _pairs(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
             lift = np.array([0.0, 0.0, way * k * APART * tall])
             spots += [Spot(i, middles[i] + lift, stays=k == 0) for i in range(2)]
         if odd:
-            lifts = [way * (by + APART * (pairs - 1)) * tall for by in LIFTS]
+            above = APART * (pairs - 1)
+            lifts = [(way * (by + above) * tall, size) for size, by in LIFTS]
             if not pairs or apart >= 2 * APART * wide:
-                lifts = [0.0, *lifts]
-            for lift in lifts:
-                yield [*spots, Spot(0, center + np.array([0.0, 0.0, lift]))]
+                lifts = [(0.0, 1.0), *lifts]
+            for lift, size in lifts:
+                at = center + np.array([0.0, 0.0, lift])
+                yield [*spots, Spot(0, at, scale=np.full(3, size))]
         else:
             yield spots
 

@@ -20,14 +20,17 @@ from torch import Tensor
 
 from core.geometry.mesh import face_areas
 from core.geometry.parts.arrangements import Spot, arrangements
-from core.geometry.parts.balls import Ball, balls_of
-from core.geometry.parts.components import ALSO, Component, Distances
+from core.geometry.parts.balls import DEPTHS, Ball, balls_of
+from core.geometry.parts.components import Component, Distances
 
 SIMILAR = 1.7  # times the area of the largest one's: what is smaller is no such component
 SOME = 300  # vertices of each that are looked at
 DEEP = 0.1  # quantile of the distances from the other parts: how deep a component is in them
 TOUCHES = 0.03  # training units, from what it is attached to
 BURIED = 0.2  # of the surface, more than of the drawn one's: inside other parts at most
+ALIKE, MANY = 0.6, 3  # of the largest one's nodes: what comes apart; how many do where it is thick
+AROUND = 1.3  # cells, around where it is thick
+ON_AXIS = 0.03  # training units, off the plane x = 0
 INTO = 0.08  # of its width: how far a copy is within another at most, or as far as the drawn ones
 REACH, STEPS = 0.75, 61  # of its size, along its direction, and places where it may be seated
 RIDES = 0.04  # training units, from the component that it goes with
@@ -62,7 +65,7 @@ class Recount(NamedTuple):
     replaced: tuple[int, ...]
     copies: tuple[Copy, ...]
     balls: Mapping[int, Ball] = MappingProxyType({})  # that one component is taken apart into
-    apart: Mapping[int, Component] = MappingProxyType({})  # or what of it is apart outside others
+    apart: Mapping[int, Component] = MappingProxyType({})  # or what of it is apart, and the rest
 
 
 def recounted(
@@ -70,15 +73,17 @@ def recounted(
 ) -> Recount | None:
     """What makes ``count`` similar components of the part; None where that isn't possible."""
     group = similar_of(components, part)
-    replaced, balls, apart = tuple(group), {}, {}
+    gone, balls, apart = tuple(group), {}, {}
     if len(group) == 1 and count != 1:
-        whole, last = components[group[0]], len(components)
-        balls = dict(enumerate(balls_of(whole), last))
-        each = [whole._replace(verts=ball.points()) for ball in balls.values()]
-        each = each or apart_outside(distances, whole)
+        whole, last = group[0], len(components)
+        balls = dict(enumerate(balls_of(components[whole]), last))
+        found = [components[whole]._replace(verts=ball.points()) for ball in balls.values()]
         if not balls:
-            apart = dict(enumerate(each, last))
-        components, group = [*components, *each], list(range(last, last + len(each))) or group
+            found, rest = taken_apart(distances, components[whole])
+            apart = dict(enumerate(found, last)) | {whole: rest}
+        components = [*components, *found]
+        group = list(range(last, last + len(found))) or group
+        gone = gone if balls else tuple(group)
     if len(group) == count:
         return Recount((), ())
     if len(group) < 2 or count < 1:
@@ -86,37 +91,52 @@ def recounted(
     stage = _Stage(distances, components, part, group, balls)
     for spots in arrangements(stage.middles, stage.sizes, count):
         if copies := stage.seated(spots):
-            return Recount((*replaced, *stage.riders), tuple(copies), balls, apart)
+            return Recount((*gone, *stage.riders), tuple(copies), balls, apart)
     return None
 
 
 def similar_of(components: Sequence[Component], part: int) -> list[int]:
-    """The part's components of about the size of its largest one."""
+    """The part's components of about the size of its largest one; of a snowman's eyes and buttons
+    the buttons."""
     area = {
         k: float(face_areas(one.verts, one.faces).sum())
         for k, one in enumerate(components)
         if one.place.part == part
     }
-    return [k for k, size in area.items() if size * SIMILAR >= max(area.values())]
+    group = [k for k, size in area.items() if size * SIMILAR >= max(area.values())]
+    middles = np.array([components[k].middle.numpy() for k in group])
+    inner = [k for k, (x, *_) in zip(group, middles, strict=True) if abs(x) < ON_AXIS]
+    if len(inner) > 1 and len(group) == len(inner) + 2:
+        _, deep, high = np.ptp(middles[np.abs(middles[:, 0]) < ON_AXIS], axis=0)
+        return inner if high > deep else group
+    return group
 
 
-def apart_outside(distances: Distances, component: Component) -> list[Component]:
-    """What of a component is apart where it is outside all other parts: the fins of a rocket, which
-    are joined within its hull. Each has the vertices that are nearest to it."""
+def taken_apart(distances: Distances, component: Component) -> tuple[list[Component], Component]:
+    """What of a component is apart, and the rest: the fins of a rocket, which are joined within its
+    hull, have all; the legs of a table have what is around where they are thick, not the rails
+    between them."""
     values, cell = component.lattice.values, component.lattice.cell
+    verts = component.verts
     nodes = np.stack(np.nonzero(values < 0), 1) * cell + component.lattice.low
     outside = np.zeros(values.shape, bool)
     outside[values < 0] = (_away(distances, component, nodes) > 0).numpy()
-    labels = np.zeros(values.shape, np.int32)
-    ndimage.label(outside, output=labels)
-    number = np.bincount(labels.ravel())[1:]
-    large = np.flatnonzero(number >= ALSO * number.max(initial=0)) + 1
-    if len(large) < 2:
-        return []
-    at = np.nonzero(np.isin(labels, large))
-    tree = cKDTree(np.stack(at, 1) * cell + component.lattice.low)
-    owner = labels[at][tree.query(component.verts.numpy())[1]]
-    return [component._replace(verts=component.verts[torch.from_numpy(owner == k)]) for k in large]
+    for depth in (0.0, *DEPTHS * -values.min()):
+        labels = np.zeros(values.shape, np.int32)
+        ndimage.label(outside if depth == 0 else values < -depth, output=labels)
+        number = np.bincount(labels.ravel())[1:]
+        large = np.flatnonzero(number >= ALIKE * number.max(initial=0)) + 1
+        if len(large) < (2 if depth == 0 else MANY):
+            continue
+        at = np.nonzero(np.isin(labels, large))
+        tree = cKDTree(np.stack(at, 1) * cell + component.lattice.low)
+        away, nearest = tree.query(verts.numpy())
+        owner = labels[at][nearest]
+        if depth:
+            owner[away > depth + AROUND * cell] = 0
+        each = [component._replace(verts=verts[torch.from_numpy(owner == k)]) for k in large]
+        return each, component._replace(verts=verts[torch.from_numpy(owner == 0)])
+    return [], component
 
 
 def _away(

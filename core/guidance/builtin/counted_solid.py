@@ -121,18 +121,17 @@ def _is_within(components: list[Component], found: Recount) -> bool:
 def _moved(components: list[Component], found: Recount) -> list[Moved]:
     """The replaced components and the copies, by part."""
     made = []
-    for part in dict.fromkeys(components[k].place.part for k in found.replaced):
+    for part in dict.fromkeys(copy.part for copy in found.copies):
         own = {k: one for k, one in enumerate(components) if one.place.part == part}
-        whole = [k for k in found.replaced if k in own]
-        if any(one.place.part == part for one in found.apart.values()):
-            own = {k: one for k, one in own.items() if k not in whole} | dict(found.apart)
-            whole = list(found.apart)
+        own |= {k: one for k, one in found.apart.items() if one.place.part == part}
+        own = {k: one for k, one in own.items() if len(one.verts)}
+        gone = tuple(k for k in found.replaced if k in own)
         verts = np.concatenate([one.verts.numpy() for one in own.values()])
         owner = np.concatenate([np.full(len(one.verts), k) for k, one in own.items()])
         boxes = {k: _box(one.verts) for k, one in own.items()}
         boxes |= {k: _box(ball.points()) for k, ball in found.balls.items()}
         copies = tuple(copy for copy in found.copies if copy.part == part)
-        made.append(Moved(part, verts, owner, tuple(whole), boxes, copies, found.balls))
+        made.append(Moved(part, verts, owner, gone, boxes, copies, found.balls))
     return made
 
 

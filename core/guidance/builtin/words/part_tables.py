@@ -406,7 +406,7 @@ PARTS = (*(state for part in CHOICES for state in (part, f"no {part}")), *LEGS)
 COUNTED_OF_LIVING = frozenset(("eyes", "horns", "antlers", "spots"))
 NEVER_COUNTED = frozenset(
     """wheels hubs tires tyres tracks limbs glasses arms laces strings seeds sprinkles strands
-    twigs bubbles needles spines leaves ribs sides walls""".split()
+    twigs sails bubbles needles spines leaves ribs sides walls""".split()
 )
 # What a caption may state of each noun's parts.
 OPTIONS: dict[str, tuple[str, ...]] = {
