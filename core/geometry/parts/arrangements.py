@@ -76,7 +76,21 @@ def _round(middles: Points, sizes: Points) -> tuple[Float[np.ndarray, " 2"], flo
 
 
 def _ring(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
-    """At equal angles; what has no room there, on rings within."""
+    """At equal angles, around the vertical, or as a fan's blades."""
+    yield from _level_ring(middles, sizes, count)
+    for order in ([0, 2, 1], [2, 1, 0]):  # turns an axis to the vertical
+        spots = list(_level_ring(middles[:, order], sizes[:, order], count, np.pi / 2))
+        for one in spots if count > 1 else ():
+            yield [
+                spot._replace(at=spot.at[order], turn=spot.turn[np.ix_(order, order)])
+                for spot in one
+            ]
+
+
+def _level_ring(
+    middles: Points, sizes: Points, count: int, first: float = -np.pi / 2
+) -> Iterator[list[Spot]]:
+    """Around the vertical; what has no room there, on rings within."""
     found = _round(middles, sizes)
     if found is None:
         return
@@ -88,26 +102,27 @@ def _ring(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
         return
     width = float(sizes[:, :2].max(1).mean())
     for outer in range(count, max(count // 2, 1), -1):
-        spots = list(_on_ring(outer, middle, radius, middles, angles))
+        spots = list(_on_ring(outer, (middle, radius), middles, angles, first))
         rest, inner = count - outer, radius - INNER * width
-        if rest and inner <= 0.5 * width and rest > 1:
+        if rest > 1 and inner <= 0.5 * width:
             return
         if rest == 1:
             spots.append(Spot(0, np.array([*middle, middles[:, 2].mean()])))
         elif rest:
-            spots += _on_ring(rest, middle, inner, middles, angles)
+            spots += _on_ring(rest, (middle, inner), middles, angles, first)
         yield spots
 
 
 def _on_ring(
     count: int,
-    middle: Float[np.ndarray, " 2"],
-    radius: float,
+    circle: tuple[Float[np.ndarray, " 2"], float],
     middles: Points,
     angles: Float[np.ndarray, " k"],
+    first: float,
 ) -> Iterator[Spot]:
-    """Symmetric about x = 0: one in front where they are odd."""
-    begin = -np.pi / 2 + (np.pi / count if count % 2 == 0 else 0.0)
+    """Symmetric about x = 0: where they are odd, one is at the angle ``first``."""
+    middle, radius = circle
+    begin = first + (np.pi / count if count % 2 == 0 else 0.0)
     for k in range(count):
         angle = begin + 2 * np.pi * k / count
         off = np.abs((angles - angle + np.pi) % (2 * np.pi) - np.pi)
@@ -268,7 +283,9 @@ def _fewer(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
 def _scattered(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
     """All that are drawn, and copies turned about the vertical through the thing's middle, each
     where most room is."""
-    if count <= len(middles):
+    angles = np.sort(np.arctan2(middles[:, 1], middles[:, 0]))
+    gaps = np.diff(np.r_[angles, angles[0] + 2 * np.pi])
+    if count <= len(middles) or gaps.max() > np.pi:
         return
     generator = np.random.default_rng(0)
     wide = float(sizes.mean())

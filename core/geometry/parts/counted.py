@@ -20,7 +20,7 @@ from torch import Tensor
 
 from core.geometry.mesh import face_areas
 from core.geometry.parts.arrangements import Spot, arrangements
-from core.geometry.parts.balls import DEPTHS, Ball, balls_of
+from core.geometry.parts.balls import Ball, balls_of
 from core.geometry.parts.components import Component, Distances
 
 SIMILAR = 1.7  # times the area of the largest one's: what is smaller is no such component
@@ -28,9 +28,11 @@ SOME = 300  # vertices of each that are looked at
 DEEP = 0.1  # quantile of the distances from the other parts: how deep a component is in them
 TOUCHES = 0.03  # training units, from what it is attached to
 BURIED = 0.2  # of the surface, more than of the drawn one's: inside other parts at most
-ALIKE, MANY = 0.6, 3  # of the largest one's nodes: what comes apart; how many do where it is thick
-AROUND = 1.3  # cells, around where it is thick
+ALIKE, MANY = 0.6, 3  # of the largest one's nodes: what comes apart; how many do below a level
+LEVELS = np.linspace(0.9, 0.4, 11)  # of its height
+AROUND = 1.3  # cells, around what is below the level
 ON_AXIS = 0.03  # training units, off the plane x = 0
+ASIDE = 0.6  # x of a direction at most that is straight in the middle
 INTO = 0.08  # of its width: how far a copy is within another at most, or as far as the drawn ones
 REACH, STEPS = 0.75, 61  # of its size, along its direction, and places where it may be seated
 RIDES = 0.04  # training units, from the component that it goes with
@@ -114,26 +116,29 @@ def similar_of(components: Sequence[Component], part: int) -> list[int]:
 
 def taken_apart(distances: Distances, component: Component) -> tuple[list[Component], Component]:
     """What of a component is apart, and the rest: the fins of a rocket, which are joined within its
-    hull, have all; the legs of a table have what is around where they are thick, not the rails
-    between them."""
+    hull, have all; the legs of a table have what is over them, not the frame between them."""
     values, cell = component.lattice.values, component.lattice.cell
     verts = component.verts
     nodes = np.stack(np.nonzero(values < 0), 1) * cell + component.lattice.low
     outside = np.zeros(values.shape, bool)
     outside[values < 0] = (_away(distances, component, nodes) > 0).numpy()
-    for depth in (0.0, *DEPTHS * -values.min()):
+    height = np.arange(values.shape[2]) * cell + component.lattice.low[2]
+    low, high = (float(end) for end in (verts[:, 2].amin(), verts[:, 2].amax()))
+    for level in (None, *(low + LEVELS * (high - low))):
+        inside = outside if level is None else (values < 0) & (height < level)
         labels = np.zeros(values.shape, np.int32)
-        ndimage.label(outside if depth == 0 else values < -depth, output=labels)
+        ndimage.label(inside, output=labels)
         number = np.bincount(labels.ravel())[1:]
         large = np.flatnonzero(number >= ALIKE * number.max(initial=0)) + 1
-        if len(large) < (2 if depth == 0 else MANY):
+        if len(large) < (2 if level is None else MANY):
             continue
         at = np.nonzero(np.isin(labels, large))
-        tree = cKDTree(np.stack(at, 1) * cell + component.lattice.low)
-        away, nearest = tree.query(verts.numpy())
+        places = np.stack(at, 1) * cell + component.lattice.low
+        flat = 3 if level is None else 2  # a leg goes on above the level, straight up
+        away, nearest = cKDTree(places[:, :flat]).query(verts[:, :flat].numpy())
         owner = labels[at][nearest]
-        if depth:
-            owner[away > depth + AROUND * cell] = 0
+        if level is not None:
+            owner[away > AROUND * cell] = 0
         each = [component._replace(verts=verts[torch.from_numpy(owner == k)]) for k in large]
         return each, component._replace(verts=verts[torch.from_numpy(owner == 0)])
     return [], component
@@ -257,6 +262,8 @@ class _Stage:
         if spot.stays:
             return copy
         way = turn @ self.direction(spot.source)
+        if abs(spot.at[0]) < ON_AXIS and way[0].abs() < ASIDE:
+            way = torch.nn.functional.normalize(way * way.new_tensor((0, 1, 1)), dim=0)
         size = float((verts.amax(0) - verts.amin(0)).max())
         steps = torch.linspace(-REACH, REACH, STEPS) * size
         steps = steps[steps.abs().argsort()]
