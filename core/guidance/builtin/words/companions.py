@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
+from core.guidance.builtin.words.bouquets import apart, are_all_flowers, fewer_of_each
 from core.guidance.builtin.words.companion_fit import Found, Reader, fitting, is_part
 from core.guidance.builtin.words.companion_openers import (
     Opener,
@@ -99,7 +100,7 @@ def companions_in(
             if not more:
                 break
             found += more
-    return _distributed(found), prompt
+    return fewer_of_each(_distributed(found)), prompt
 
 
 class _Search:
@@ -225,6 +226,7 @@ class _Search:
             first, before = self._holding(prompt[: match.start()])
             later = self._is_later(prompt, match.start())
             full = any(one.relation == "bears" for one in found)
+            full &= not are_all_flowers(phrase, found)
             # "A pot of flowers" is a name by itself.
             bare = " ".join(word for word in before.split() if word.lower() not in ARTICLES)
             named = look_up(f"{bare} {match['way']} {phrase}".lower(), SLOTS) is not None
@@ -233,7 +235,7 @@ class _Search:
             one = fitting(self._read, "bears", fillings.named(phrase).phrase, first, found)
             whole, start = before + prompt[match.start() :], len(before)
             if one and (one := self._as_filling(one._replace(phrase=phrase), first)):
-                return [one], _cut(whole, start, start + len(match[0].rstrip()), [])
+                return apart(one), _cut(whole, start, start + len(match[0].rstrip()), [])
         return [], prompt
 
     @staticmethod

@@ -8,7 +8,7 @@ from typing import Literal
 Order = Literal["row", "heap", "stack"]
 
 MOST = 6  # the largest exact count; more are as many as "many"
-MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 3
+MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING = 5, 3, 7, 5, 6, 5
 MIXED = 10  # of all kinds together that fill a container
 FIGURES = {
     word: number

@@ -19,6 +19,7 @@ from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.asking import asked_for
+from core.guidance.builtin.words.bouquets import as_bouquet, in_bunches
 from core.guidance.builtin.words.companion_fit import Found, Read
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
@@ -165,7 +166,9 @@ def parse(
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
     prompt = made_active(as_phrase(MINE.sub("", prompt)))
-    return replace(_of_thing(prompt, known, ignore_unknown), style=style)
+    bunched = apart_from_texts(prompt, in_bunches)
+    words = as_bouquet(_of_thing(bunched, known, ignore_unknown), prompt)
+    return replace(words, style=style)
 
 
 def _of_thing(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words:
