@@ -48,6 +48,7 @@ from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
+from core.guidance.builtin.words.bouquets import in_bunch
 from core.guidance.builtin.words.glassware import glazed
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
@@ -114,7 +115,7 @@ class BuiltinGuidance(Guidance):
         hows = [how for how, _ in pairs]
         within = [False, *(how == "in" for how in hows)]
         each = [glazed(one, hows, here) for one, here in zip(each, within, strict=True)]
-        things = [PromptedBuiltin(self, one, negative) for one in each]
+        things = [PromptedBuiltin(self, in_bunch(one), negative) for one in each]
         return Composed(self, alone, things, [how for how, _ in pairs])
 
     def encode_normals(

@@ -8,8 +8,9 @@ import torch
 from core.guidance.builtin.composition.placement import Body, Placement, about_z, sized
 
 GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a disc (Vogel 1979)
-LEANING = (math.radians(18), math.radians(46))  # the outermost, at least and at most
-APART = 0.8  # of a head's width: how far the outermost of five are from the middle
+LEANING = (math.radians(18), math.radians(50))  # the outermost, at least and at most
+RING = 7  # so many are one with a ring around it
+APART = 0.9  # of a head's width: how far the outermost of five are from the middle
 FIVE = 5
 TOGETHER = 0.22  # of its length: where the stems cross
 HIGHER = 0.2  # of its length: how much higher the middle one is than the outermost
@@ -34,8 +35,7 @@ def bunched(things: Sequence[Body]) -> list[list[Placement]]:
     found: list[list[Placement]] = [[] for _ in things]
     for place, kind in enumerate(turns):
         thing = things[kind]
-        off = math.sqrt(place / max(total - 1, 1))
-        way = GOLDEN * place + math.pi / 2
+        off, way = _place(place, total)
         jitter = [UNEVEN * (2 * float(torch.rand(1, generator=generator)) - 1) for _ in range(2)]
         # The nearer ones are lower, so that none hides another.
         up = HIGHER * (0.5 - 0.6 * off + 0.4 * off * math.sin(way)) + jitter[0]
@@ -46,6 +46,16 @@ def bunched(things: Sequence[Body]) -> list[list[Placement]]:
         at = Placement.of(scale, turn)
         found[kind].append(at.moved(point - at.out(stem[None])[0]))
     return found
+
+
+def _place(place: int, total: int) -> tuple[float, float]:
+    """How far off the middle one of them is, of the outermost, and its azimuth."""
+    if total > RING:
+        return math.sqrt(place / (total - 1)), GOLDEN * place + math.pi / 2
+    ring = total if total < FIVE - 1 else total - 1  # around one in the middle
+    if ring < total and place == 0:
+        return 0.0, 0.0
+    return 1.0, 2 * math.pi * (place - (total - ring) + 0.25) / ring - math.pi / 2
 
 
 def _head(thing: Body) -> float:

@@ -50,6 +50,7 @@ OF_ANY_KIND = re.compile(
     re.IGNORECASE,
 )
 MIXED = (("rose", 2), ("flower", 2), ("tulip", 2))  # of flowers that nothing else is stated of
+HEADS = {"rose": ("petals", "mini"), "tulip": ("petals", "small")}
 MOST = 7  # flowers of several kinds
 TWO_TONE = "two-tone"
 
@@ -135,6 +136,14 @@ def as_bouquet(words: Words, prompt: str) -> Words:
         others += [replace(one, count=max(one.count, count), order="heap") for one in more]
     borne = [Companion("bears", one) for one in others]
     return replace(first, companions=(*borne, *kept), notes=words.notes, left_out=words.left_out)
+
+
+def in_bunch(words: Words) -> Words:
+    """One of several flowers: the heads of some are too large for that as they are drawn."""
+    size = HEADS.get(words.noun)
+    if words.count < 2 or size is None or words.part_sizes:
+        return words
+    return replace(words, part_sizes=(size,))
 
 
 def _is_more(one: Companion) -> bool:
