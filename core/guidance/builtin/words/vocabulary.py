@@ -51,6 +51,11 @@ from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
 from core.guidance.builtin.words.styles import style_of
+from core.guidance.builtin.words.toppings import (
+    in_toppings,
+    with_its_liquid,
+    without_replaced,
+)
 from core.guidance.builtin.words.with_companions import with_companions, without_look
 from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 from core.guidance.builtin.words.written import apart_from_texts
@@ -162,13 +167,13 @@ def parse(
     if not noun_needed:
         return _parsed(prompt, False, known, ignore_unknown)
     prompt, style = style_of(W_SLASH.sub("with ", prompt))
-    prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
+    prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(in_toppings(text))))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
     prompt = made_active(as_phrase(MINE.sub("", prompt)))
     bunched = apart_from_texts(prompt, in_bunches)
     words = as_bouquet(_of_thing(bunched, known, ignore_unknown), prompt)
-    return replace(words, style=style)
+    return replace(without_replaced(words), style=style)
 
 
 def _of_thing(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words:
@@ -365,7 +370,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
     notes = dict.fromkeys([*got.notes, *mooded.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
-    return Words(**words, notes=tuple(notes), left_out=left_out)
+    names = [entry.form for entry in got.found["noun"]]
+    return with_its_liquid(Words(**words, notes=tuple(notes), left_out=left_out), names)
 
 
 def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
