@@ -134,7 +134,7 @@ DISHES_AND_GROCERIES = {
         Usual(0.4, FLESH, 0.7),
     ),
     "egg": Noun(
-        "; marshmallow, mini marshmallow",
+        "",
         {"shell": "*ead2b4"},
         Usual(0.06, FLESH, 0.9),
     ),

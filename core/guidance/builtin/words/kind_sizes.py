@@ -76,7 +76,7 @@ _ROWS = {
     "hairbrush": "0.17: comb, hair comb",
     "toothbrush": "0.24: electric toothbrush",
     "cloud": "0.09: whipped cream, dollop of whipped cream, swirl of whipped cream",
-    "egg": "0.03: marshmallow; 0.015: mini marshmallow",
+    "cylinder": "0.03: marshmallow; 0.015: mini marshmallow",
     "lipstick": "0.12: mascara",
     "envelope": "0.15: postcard",
     "rake": "1.1: gardening fork, garden fork",

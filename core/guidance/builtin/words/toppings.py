@@ -19,7 +19,8 @@ _TOPPED = r"(?:topped|crowned|finished|covered|garnished|decorated) (?:off )?(?:
 _WITH = rf"(?:{_TOPPED}|with|and|under)"
 _HOT = r"(?:hot |warm |creamy |dark |rich )*(?:chocolate|cocoa)"
 _COFFEE = r"(?:black |hot |fresh )*(?:coffee|cappuccino|latte|espresso|mocha|americano|macchiato)"
-_CUP = r"(?:(?:steaming|hot|warm|nice) )*(?:tea ?)?cups?"
+_HEATED = r"(?:(?:steaming|hot|warm|nice) )*"
+CLOUD = "cloud"  # whipped cream is made as one, which a cherry may be on
 CREAM = "topped with a whipped cream"
 _PATTERNS = {
     rf"{_WITH} {_SOME}{_AMOUNT}{_WHIPPED}{_ON_TOP}": CREAM,
@@ -29,8 +30,8 @@ _PATTERNS = {
     ),
     rf"{_WITH} {_SOME}(?:(?:mini|tiny|little|small) )*(?P<color>pink|coloured|colored) "
     rf"marshmallows{_ON_TOP}": r"full of \g<color> marshmallows",
-    rf"{_CUP} of {_HOT}": "hot chocolate",
-    rf"{_CUP} of {_COFFEE}": "cup of coffee",
+    rf"{_HEATED}(?:tea ?)?cup of {_HOT}": "hot chocolate",
+    rf"{_HEATED}(?:tea ?)?(?P<cup>cups?) of {_COFFEE}": r"\g<cup> of coffee",
     # "A tube of red lipstick"
     r"(?:tube|stick) of (?P<look>(?:[\w-]+ ){0,3}?)(?P<what>lipstick|lip balm|lip gloss|mascara)": (
         r"\g<look>\g<what>"
@@ -75,7 +76,9 @@ def with_its_liquid(words: Words, names: Collection[str]) -> Words:
 def without_replaced(words: Words) -> Words:
     """The thing without the cherry in whose place something else is: a strawberry on a cupcake."""
     part = REPLACED.get(words.noun)
-    borne = any(one.relation == "bears" for one in words.companions)
+    borne = any(
+        one.relation == "bears" and one.words.noun not in (CLOUD, part) for one in words.companions
+    )
     if part is None or not borne or part in words.absent:
         return words
     return replace(words, absent=(*words.absent, part))
