@@ -22,6 +22,7 @@ BEYOND = 1.35  # of the drawn span: how much longer a row may become
 # The size of the odd one above a pair, and how far above it is, of the height of one.
 LIFTS = ((1.0, 0.85), (1.0, 1.0), (0.75, 0.7), (0.75, 0.85), (0.6, 0.65), (0.6, 0.8))
 SHRUNK = (1.0, 0.94, 0.86, 0.78, 0.7)  # of its size: what has too little room in a heap
+OBLONG = 1.15  # times as long as wide is a rectangle; others are a ring of four
 INNER = 1.25  # of its width: how much smaller the next ring inwards is
 TRIES = 160  # places of a scattered one
 ALIKE = 0.5  # of its side: places of a row or a column that differ by less are one
@@ -42,7 +43,7 @@ class Spot(NamedTuple):
 
 def arrangements(middles: Points, sizes: Points, count: int) -> Iterator[Sequence[Spot]]:
     """Spots for ``count`` components, from the drawn ones' middles and sizes."""
-    for arranged in (_tiles, _ring, _corners, _pairs, _row, _fewer, _scattered, _heaped):
+    for arranged in (_tiles, _corners, _ring, _pairs, _row, _fewer, _scattered, _heaped):
         yield from arranged(middles, sizes, count)
 
 
@@ -139,7 +140,10 @@ def _corners(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]
     middle = middles.mean(0)
     away = middles - middle
     half = np.abs(away[:, :2]).mean(0)
-    if np.abs(np.abs(away[:, :2]) - half).max() > EVEN * half.max() or half.min() == 0:
+    if (
+        np.abs(np.abs(away[:, :2]) - half).max() > EVEN * half.max()
+        or half.max() < OBLONG * half.min()
+    ):
         return
     long = int(half.argmax())
     columns, odd = divmod(count, 2)
