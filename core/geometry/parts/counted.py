@@ -15,7 +15,7 @@ import numpy as np
 import torch
 from jaxtyping import Float
 from scipy import ndimage
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.mesh import face_areas
@@ -135,7 +135,7 @@ def taken_apart(distances: Distances, component: Component) -> tuple[list[Compon
         at = np.nonzero(np.isin(labels, large))
         places = np.stack(at, 1) * cell + component.lattice.low
         flat = 3 if level is None else 2  # a leg goes on above the level, straight up
-        away, nearest = cKDTree(places[:, :flat]).query(verts[:, :flat].numpy())
+        away, nearest = KDTree(places[:, :flat]).query(verts[:, :flat].numpy())
         owner = labels[at][nearest]
         if level is not None:
             owner[away > AROUND * cell] = 0
@@ -189,7 +189,7 @@ class _Stage:
         """Components of other parts that only touch one of the group, as many of a part on each:
         the index in the group of the one that each goes with."""
         found: dict[int, int] = {}
-        trees = [cKDTree(self.components[k].verts.numpy()) for k in self.group]
+        trees = [KDTree(self.components[k].verts.numpy()) for k in self.group]
         others = [k for k, one in enumerate(self.components) if one.place.part != self.part]
         for part in sorted({self.components[k].place.part for k in others}):
             own = [k for k in others if self.components[k].place.part == part]
@@ -199,7 +199,7 @@ class _Stage:
                 found |= {k: index for k, index in zip(own, on, strict=True) if index is not None}
         return found
 
-    def _borne_by(self, k: int, trees: Sequence[cKDTree]) -> int | None:
+    def _borne_by(self, k: int, trees: Sequence[KDTree]) -> int | None:
         component = self.components[k]
         verts = component.verts[:: -(-len(component.verts) // SOME)]
         gaps = [float(tree.query(verts.numpy())[0].min()) for tree in trees]

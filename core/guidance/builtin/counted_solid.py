@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import torch
 from jaxtyping import Float
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 from torch import Tensor
 
 from core.geometry.parts.balls import Ball
@@ -37,7 +37,7 @@ class Moved:
     ) -> Float[Tensor, " n"]:
         """The part's distances at points; ``drawn``: those of what is drawn."""
         found = drawn.clone()
-        tree = cKDTree(self.verts)
+        tree = KDTree(self.verts)
         near = drawn < ROOM
         if near.any():
             _, nearest = tree.query(points[near].cpu().numpy())
