@@ -116,7 +116,7 @@ def similar_of(components: Sequence[Component], part: int) -> list[int]:
 
 def taken_apart(distances: Distances, component: Component) -> tuple[list[Component], Component]:
     """What of a component is apart, and the rest: the fins of a rocket, which are joined within its
-    hull, have all; the legs of a table have what is over them, not the frame between them."""
+    hull, have all; the legs of a table have what is over them, and the frame between them goes."""
     values, cell = component.lattice.values, component.lattice.cell
     verts = component.verts
     nodes = np.stack(np.nonzero(values < 0), 1) * cell + component.lattice.low
@@ -140,7 +140,7 @@ def taken_apart(distances: Distances, component: Component) -> tuple[list[Compon
         if level is not None:
             owner[away > AROUND * cell] = 0
         each = [component._replace(verts=verts[torch.from_numpy(owner == k)]) for k in large]
-        return each, component._replace(verts=verts[torch.from_numpy(owner == 0)])
+        return each, component._replace(verts=verts[:0])
     return [], component
 
 
@@ -295,9 +295,9 @@ class _Stage:
         return float(away.min()) < -INTO * float((high - low).min())
 
     def _ridden(self, k: int, spot: Spot, copy: Copy) -> Copy:
-        """A component that goes with one of the group, unscaled."""
+        """A component that goes with one of the group, no wider or higher by itself."""
         verts = self.components[k].verts
         middle = ((verts.amin(0) + verts.amax(0)) / 2)[None]
-        turn = torch.from_numpy(spot.turn).float()
-        shift = (copy.out(middle) - middle @ turn.T)[0]
-        return Copy(self.components[k].place.part, k, turn, shift)
+        matrix = torch.from_numpy(spot.turn).float() * min(1.0, float(spot.scale.min()))
+        shift = (copy.out(middle) - middle @ matrix.T)[0]
+        return Copy(self.components[k].place.part, k, matrix, shift)

@@ -17,6 +17,7 @@ from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import Vector, frame_of
 
 ROOM = 0.08  # training units, around a component: within it its own distance is known
+EDGE = 0.01  # training units, around a part of a component
 INSIDE = EXTENT - 0.01  # of the cube, where a copy may be
 
 
@@ -31,6 +32,7 @@ class Moved:
     boxes: Mapping[int, tuple[Tensor, Tensor]]
     copies: tuple[Copy, ...]
     balls: Mapping[int, Ball]
+    cut: frozenset[int] = frozenset()  # sources that are only parts of components
 
     def distance(
         self, drawn: Float[Tensor, " n"], points: Float[Tensor, "n 3"], known: Distances
@@ -58,6 +60,9 @@ class Moved:
                 _, nearest = tree.query(local[here].cpu().numpy())
                 mine = torch.from_numpy(self.owner[nearest] == copy.source)
                 away[here] = torch.where(mine, own, own.clamp_min(ROOM))
+                if copy.source in self.cut:  # a leg below a frame is no wider above
+                    out = torch.maximum(low - local, local - high)[here].amax(1) - EDGE
+                    away[here] = torch.maximum(away[here], out)
             found = torch.minimum(found, away * copy.least)
         return found
 
@@ -131,7 +136,9 @@ def _moved(components: list[Component], found: Recount) -> list[Moved]:
         boxes = {k: _box(one.verts) for k, one in own.items()}
         boxes |= {k: _box(ball.points()) for k, ball in found.balls.items()}
         copies = tuple(copy for copy in found.copies if copy.part == part)
-        made.append(Moved(part, verts, owner, gone, boxes, copies, found.balls))
+        made.append(
+            Moved(part, verts, owner, gone, boxes, copies, found.balls, frozenset(found.apart))
+        )
     return made
 
 
