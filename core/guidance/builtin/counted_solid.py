@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
-from jaxtyping import Float
+from jaxtyping import Float, Int
 from scipy.spatial import KDTree
 from torch import Tensor
 
@@ -27,7 +27,7 @@ class Moved:
 
     part: int
     verts: Float[np.ndarray, "v 3"]  # of all of the part's components
-    owner: Float[np.ndarray, " v"]  # the component of each vertex
+    owner: Int[np.ndarray, " v"]  # the component of each vertex
     replaced: tuple[int, ...]
     boxes: Mapping[int, tuple[Tensor, Tensor]]
     copies: tuple[Copy, ...]
