@@ -24,6 +24,7 @@ LIFTS = ((1.0, 0.85), (1.0, 1.0), (0.75, 0.7), (0.75, 0.85), (0.6, 0.65), (0.6, 
 SHRUNK = (1.0, 0.94, 0.86, 0.78, 0.7)  # of its size: what has too little room in a heap
 OBLONG = 1.15  # times as long as wide is a rectangle; others are a ring of four
 INNER = 1.25  # of its width: how much smaller the next ring inwards is
+TOGETHER = 1.3  # of its width: how far the middle of the next one in a heap is at most
 TRIES = 160  # places of a scattered one
 ALIKE = 0.5  # of its side: places of a row or a column that differ by less are one
 
@@ -314,6 +315,11 @@ def _scattered(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot
 def _heaped(middles: Points, sizes: Points, count: int) -> Iterator[list[Spot]]:
     """In a heap: on rings around its middle, as near as they fit."""
     if count <= len(middles):
+        return
+    away = np.linalg.norm(middles[:, None] - middles, axis=2) + np.diag(
+        np.full(len(middles), np.inf)
+    )
+    if (away.min(1) > TOGETHER * sizes[:, :2].max(1)).any():  # they are no heap
         return
     center, wide = middles.mean(0), float(sizes[:, :2].mean())
     for size in SHRUNK:
