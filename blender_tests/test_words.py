@@ -48,6 +48,8 @@ def test_a_part_with_a_color_is_named_once():
     assert words.summary(report) == "mug, blue, glowing red handle"
     report = words.ask(CORE, ("a blue mug with a thick red handle", False))
     assert words.summary(report) == "mug, blue, thick red handle"
+    report = words.ask(CORE, ("a birthday cake with five pink candles", False))
+    assert words.summary(report) == "cake, 5 pink candles"
 
 
 def test_its_pose_is_named_after_it_and_before_another_thing():

@@ -6,6 +6,7 @@ import pytest
 import torch
 
 from core.guidance.builtin.composition.arranged import arranged
+from core.guidance.builtin.composition.bunches import TOGETHER, bunched
 from core.guidance.builtin.composition.resting import (
     upon,
 )
@@ -45,12 +46,37 @@ def test_bottles_in_a_heap_lie():
 
 
 def test_flowers_in_a_bunch_lean_apart_with_their_stems_together():
-    one, copies, bunch = several("a tulip", 3, "heap")
-    feet = torch.stack(
-        [place.out(torch.tensor([[0, 0, float(one.box[0, 2])]])) for place in copies]
+    one, copies, bunch = several("a tulip", 5, "heap")
+    foot = torch.stack([*one.verts[one.verts[:, 2] < -0.7][:, :2].mean(0), one.box[0, 2]])
+    feet = torch.stack([place.out(foot[None])[0] for place in copies])
+    stems = torch.stack([place.turn[:, 2] for place in copies])
+    low = one.box[0, 2] + TOGETHER * one.sides[2]
+    to = torch.stack([foot[0] * 0, foot[1] * 0, low]) - feet
+    off = (to - (to * stems).sum(1, keepdim=True) * stems).norm(dim=1)
+    assert float(off.max()) < 0.05  # all of them go through one point
+    assert float(bunch.sides[:2].max()) > 1.5 * float(one.sides[:2].max())
+    tops = torch.stack([place.out(one.verts)[:, 2].max() for place in copies])
+    assert float(tops.max() - tops.min()) > 0.15 * float(one.sides[2])  # some are higher
+
+
+def test_kinds_of_flowers_are_in_one_bunch_in_turn():
+    tulips, daisies = (
+        replace(one, words=replace(one.words, count=3, order="heap"))
+        for one in (body("a tulip"), body("a flower"))
     )
-    assert float(feet.std(0).max()) < 1e-3
-    assert float(bunch.sides[:2].max()) > 1.2 * float(one.sides[:2].max())
+    first, second = bunched([tulips, daisies])
+    tops = torch.stack([p.out(torch.zeros(1, 3))[0] for p in (*first, *second)])
+    assert (len(first), len(second)) == (3, 3) and float(torch.pdist(tops).min()) > 0.1
+
+
+def test_a_vase_has_its_mouth_where_the_stems_cross():
+    flowers = replace(body("a tulip"), words=replace(body("a tulip").words, count=5, order="heap"))
+    places, (vase,) = arranged(flowers, [("in", body("a vase"))])
+    there = body("a vase").placed(vase)
+    heads = torch.cat([place.out(flowers.verts) for place in places])
+    rim = float(there.box[1, 2])
+    assert float(heads[:, 2].min()) < rim < float(heads[:, 2].quantile(0.4))
+    assert float(there.sides[2]) > 0.4 * float(heads[:, 2].max() - heads[:, 2].min())
 
 
 def test_apples_fill_a_basket_to_above_its_rim():

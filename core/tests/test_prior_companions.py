@@ -295,6 +295,7 @@ def test_the_report_has_each_with_its_looks():
             "order": "row",
             "colours": ["red"],
             "part_sizes": {"legs": "long"},
+            "part_counts": {},
             "part_colours": {},
             "materials": ["wooden"],
             "part_materials": {"legs": "golden"},

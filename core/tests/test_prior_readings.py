@@ -586,7 +586,7 @@ def test_a_comma_behind_another_things_name_does(prompt: str) -> None:
 def test_what_a_thing_has_three_of_is_its_own() -> None:
     found = read("a cake with three pink candles")
     assert found["part_colours"] == {"candles": "pink"}
-    assert found["notes"] == ["'three': left out, as parts are not counted."]
+    assert (found["part_counts"], found["notes"]) == ({"candles": 3}, [])
 
 
 @pytest.mark.parametrize("name", ["roulette wheel", "spinning wheel", "wheel of fortune"])

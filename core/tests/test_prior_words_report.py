@@ -289,6 +289,7 @@ def test_what_is_understood_is_plain_data():
         "part_colours": {},
         "part_materials": {},
         "part_sizes": {},
+        "part_counts": {},
         "part_sheens": {},
         "part_patterns": {},
         "emblems": [],

@@ -138,8 +138,10 @@ def summary(report: Report) -> str:
 
 
 def _of_parts(report: Report) -> tuple[list[str], list[str]]:
-    """The looks of parts that have their own, and these parts."""
+    """The numbers and looks of parts that have their own, and these parts."""
     looks = [report.get(f"part_{look}", {}) for look in PART_LOOKS]
+    counts = {part: str(count) for part, count in report.get("part_counts", {}).items()}
+    looks = [counts, *looks]
     own = list(dict.fromkeys(part for of_parts in looks for part in of_parts))
     return [" ".join([*(of[part] for of in looks if part in of), part]) for part in own], own
 

@@ -93,9 +93,7 @@ class KnownParts:
     def components(self) -> list[Component]:
         """All that have a surface, as wide as they are looked at. Equal components of a part are
         exactly equal. A mirror image has no primitive of its own: it uses the other one's."""
-        places = places_of(self._wide, len(self.forms.flat))
-        drawn = [component for place in places for component in drawn_in(self._wide, place)]
-        drawn = without_strays(drawn, self.forms)
+        drawn = self._drawn
         found = matched(self._wide, drawn, self.forms)
         self._mirrored = {
             index: mirror
@@ -111,6 +109,18 @@ class KnownParts:
             component._replace(primitive=one and self._thinned(one, component.place.part))
             for component, one in zip(known, even, strict=True)
         ]
+
+    @cached_property
+    def _drawn(self) -> list[Component]:
+        """All that have a surface, as wide as they are looked at, as they are drawn."""
+        places = places_of(self._wide, len(self.forms.flat))
+        drawn = [component for place in places for component in drawn_in(self._wide, place)]
+        return without_strays(drawn, self.forms)
+
+    def drawn(self) -> list[Component]:
+        """The components as they are drawn, in their own width."""
+        wider = torch.tensor(self.wider)
+        return [one._replace(verts=one.verts / wider) for one in self._drawn]
 
     @property
     def enclosed(self) -> Sequence[Sequence[int]]:

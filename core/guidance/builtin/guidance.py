@@ -21,6 +21,7 @@ from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.wearing import freed
+from core.guidance.builtin.counted_solid import CountedSolid
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
 from core.guidance.builtin.markings.markings import (
@@ -37,7 +38,7 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncut, unsized
+from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncounted_of, uncut, unsized
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -47,6 +48,7 @@ from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
+from core.guidance.builtin.words.bouquets import in_bunch
 from core.guidance.builtin.words.glassware import glazed
 from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
 from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
@@ -64,6 +66,7 @@ from core.guidance.guidance import (
 from core.guidance.sds import eps_from_v
 
 SIZE = 64
+COUNTED = 4  # drawings at most, until its parts are as many as stated
 NOT_DRAWN_ON = (
     "left out, as text, emblems and moods are drawn only on what the built-in prior draws itself, "
     "not on your mesh or a distilled shape."
@@ -112,7 +115,7 @@ class BuiltinGuidance(Guidance):
         hows = [how for how, _ in pairs]
         within = [False, *(how == "in" for how in hows)]
         each = [glazed(one, hows, here) for one, here in zip(each, within, strict=True)]
-        things = [PromptedBuiltin(self, one, negative) for one in each]
+        things = [PromptedBuiltin(self, in_bunch(one), negative) for one in each]
         return Composed(self, alone, things, [how for how, _ in pairs])
 
     def encode_normals(
@@ -180,10 +183,15 @@ class PromptedBuiltin(PromptedGuidance):
         gone |= {part for part in parts if is_marking(words.noun, part)}
         absent = [k for k, part in enumerate(parts) if part in gone]
         absent += range(len(parts), len(looks(solid_of(words.noun))))
-        generator = torch.Generator().manual_seed(seed)
-        solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
-        solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
-        solid = PaintedSolid(words, solid, whole).fitting().solid
+        generator, found = torch.Generator().manual_seed(seed), []
+        for _ in range(COUNTED if words.part_counts and whole else 1):
+            solid = Solid.drawn(net, rows, generator, tuple(absent), words.kinds)
+            solid = solid.placed("" if formed else words.shape, known_wider(solid_of(words.noun)))
+            painted = PaintedSolid(words, solid, whole)
+            found.append(painted.counted() if whole else painted)
+            if not any(found[-1].uncounted()):
+                break
+        solid = min(found, key=lambda one: len(list(one.uncounted()))).fitting().solid
         return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
@@ -195,6 +203,8 @@ class PromptedBuiltin(PromptedGuidance):
         solid, parts = self.solid, self.parts()
         if solid is None or parts is None:
             return self
+        if isinstance(solid, CountedSolid):  # a guide has its own number of them
+            solid = solid.drawn_alone()
         made = bent(solid, parts.forms.flat, guide, strength, least)
         return PromptedBuiltin(self.builtin, self.words, self.negative, made, whole=False)
 
@@ -222,7 +232,8 @@ class PromptedBuiltin(PromptedGuidance):
         if self.painted is None:
             drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
             notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
-            return (*notes, *unsized(self.words), *uncut(self.words))
+            unmade = (*unsized(self.words), *uncounted_of(self.words), *uncut(self.words))
+            return (*notes, *unmade)
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

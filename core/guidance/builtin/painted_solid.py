@@ -16,6 +16,7 @@ from core.guidance.builtin.bodywork import bodywork_of
 from core.guidance.builtin.composition.clothing import Garment
 from core.guidance.builtin.composition.placement import EYES
 from core.guidance.builtin.composition.vessel import Vessel
+from core.guidance.builtin.counted_solid import CountedSolid, counted_solid
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
@@ -53,6 +54,8 @@ FACES = "head", "face"
 LID = 0.7  # sRGB, of the colour around it
 UNCUT = "left out, as only what the built-in prior puts together itself is cut."
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
+UNCOUNTED = "left out, as parts are counted only on what the built-in prior puts together itself."
+UNFIT_COUNT = "left out, as that many do not fit there."
 NO_ROOM = "left out, as the thing has no room for it."
 
 
@@ -112,6 +115,15 @@ class PaintedSolid:
     def made(self) -> KnownParts:
         """Its parts, cut if the words state a cut."""
         return self.cut.parts if self.cut else self.parts
+
+    def counted(self) -> "PaintedSolid":
+        """The same with the stated numbers of its parts' components."""
+        if not self.words.part_counts:
+            return self
+        names = list(looks(self.words.noun))
+        counts = {names.index(name): count for name, count in self.words.part_counts}
+        made = counted_solid(self.solid, self.parts.drawn(), counts)
+        return PaintedSolid(self.words, made, self.whole)
 
     def fitting(self) -> "PaintedSolid":
         """The same within the cube again, where some of its parts got another size."""
@@ -268,8 +280,19 @@ class PaintedSolid:
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
+            *self.uncounted(),
             *(() if drawn else (*unsized(self.words), *uncut(self.words))),
         )
+
+    def uncounted(self) -> Iterator[str]:
+        """A note on each part whose number is left out."""
+        if not isinstance(self.solid, CountedSolid):
+            yield from uncounted_of(self.words)
+            return
+        names = list(looks(self.words.noun))
+        unfit = {names[part] for part in self.solid.unfit}
+        stated = (one for one in self.words.part_counts if one[0] in unfit)
+        yield from (f"{count} {part}: {UNFIT_COUNT}" for part, count in stated)
 
 
 def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
@@ -283,6 +306,11 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
 def unsized(words: Words) -> Iterator[str]:
     """A note on each part whose size is left out."""
     return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
+
+
+def uncounted_of(words: Words) -> Iterator[str]:
+    """A note on each part whose number is left out."""
+    return (f"{count} {part}: {UNCOUNTED}" for part, count in words.part_counts)
 
 
 def uncut(words: Words) -> Iterator[str]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import torch
 
 from core.guidance.builtin.composition.attaching import SPREAD, at_front, behind, in_coils
+from core.guidance.builtin.composition.bunches import bunched
 from core.guidance.builtin.composition.copies import copies_of, mixed_heap
 from core.guidance.builtin.composition.holding import held
 from core.guidance.builtin.composition.placement import Body, Placement, joined, training_size
@@ -20,7 +21,7 @@ from core.guidance.builtin.composition.resting import (
     within,
 )
 from core.guidance.builtin.composition.wearing import worn
-from core.guidance.builtin.words.companion_words import CLOTHING, CONTAINERS, EDIBLE
+from core.guidance.builtin.words.companion_words import CLOTHING, CONTAINERS, EDIBLE, FLOWERS
 from core.guidance.builtin.words.companions import Relation
 
 EACH = ("wears", "holds")  # relations of each copy by itself
@@ -33,7 +34,8 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     if count > 1 and any(how == "in" for how, _ in others):  # eggs in a basket are a heap
         first = replace(first, words=replace(first.words, order="heap"))
     things = [first, *(other for _, other in others)]
-    each = all(
+    flowers = _in_bunch(first, others)
+    each = len(flowers) < 2 and all(
         how in EACH or (other.words.count == count and how not in SPREAD) for how, other in others
     )
     if count > 1 and others and each:  # "two penguins wearing hats": a penguin and a hat, twice
@@ -49,8 +51,9 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
                 copies[k] = SPREAD[how](other, whole, other.words.count)
         groups = [thing.group(own) for thing, own in zip(things, copies, strict=True)]
         mixed = _mixed(first, others)
-        if len(mixed) > 1:  # "a bowl of apples and bananas"
-            piled = mixed_heap([things[k] for k in mixed])
+        if len(mixed) > 1 or len(flowers) > 1:  # "a bowl of apples and bananas"
+            piling, mixed = (bunched, flowers) if len(flowers) > 1 else (mixed_heap, mixed)
+            piled = piling([things[k] for k in mixed])
             whole = joined([things[k].group(own) for k, own in zip(mixed, piled, strict=True)])
             whole = replace(whole, words=replace(whole.words, count=sum(map(len, piled))))
             for k, own in zip(mixed, piled, strict=True):
@@ -75,6 +78,16 @@ def _mixed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
     ]
 
 
+def _in_bunch(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[int]:
+    """Indices of the flowers that are in one bunch: "a vase with roses and tulips"."""
+    own = [0] if first.words.noun in FLOWERS else []
+    return own + [
+        k
+        for k, (how, other) in enumerate(others, 1)
+        if how == "bears" and other.words.noun in FLOWERS
+    ]
+
+
 def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placement]:
     """The placement of each thing; the first one's is its own."""
     stuck = any(how == "in" and is_stuck(first, other) for how, other in others)
@@ -88,7 +101,9 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
     borne = list({id(other): other for how, other in others if how == "bears"}.values())
     borne.sort(key=lambda other: -other.metres * float(other.sides[2]))
     for how, other in others:
-        if how == "holds":
+        if other is first:  # in the bunch with it
+            found.append(found[0])
+        elif how == "holds":
             place = held(other, there.standing or there, held_already)
             found.append(_carried(place, there))
             held_already = True

@@ -7,11 +7,11 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from core.guidance.builtin.composition.bunches import GOLDEN, bunched
 from core.guidance.builtin.composition.formations import circle, crossed, facing
 from core.guidance.builtin.composition.placement import (
     Body,
     Placement,
-    about_x,
     about_z,
     laid_down,
     sized,
@@ -28,8 +28,6 @@ INWARDS = 0.15  # cost of a unit off a heap's middle, in heights
 SOME = 1500  # vertices that are dropped
 CELLS = 48  # of a heap's height map, along a side
 TURNED = math.radians(65)  # about the vertical, at most: faces look forward
-LEANING = math.radians(24)  # flowers in a bunch
-GOLDEN = math.pi * (3 - math.sqrt(5))  # between places: evenly spread over a disc (Vogel 1979)
 
 
 def copies_of(thing: Body) -> list[Placement]:
@@ -47,7 +45,7 @@ def copies_of(thing: Body) -> list[Placement]:
     if order == "circle":
         return circle(thing, count)
     if order == "heap":
-        return _bunch(thing, count) if thing.words.noun in FLOWERS else _heap(thing, count)
+        return bunched([thing])[0] if thing.words.noun in FLOWERS else _heap(thing, count)
     return _row(thing, count)
 
 
@@ -59,17 +57,6 @@ def _row(thing: Body, count: int) -> list[Placement]:
 def _stack(thing: Body, count: int) -> list[Placement]:
     """Each on the one below, as deep in it as possible: plates, cups."""
     return _piled([thing] * count, math.inf, 0.0)
-
-
-def _bunch(thing: Body, count: int) -> list[Placement]:
-    """Flowers that lean away from one another, with their stems together."""
-    foot = torch.tensor([0.0, 0.0, float(thing.box[0, 2])])
-    found = []
-    for k in range(count):
-        way = about_z(2 * math.pi * (k + 0.25) / count)
-        turn = way @ about_x(LEANING)
-        found.append(Placement.of(1.0, turn).moved(foot - turn @ foot))
-    return found
 
 
 def _heap(thing: Body, count: int) -> list[Placement]:

@@ -5,6 +5,7 @@ from jaxtyping import Float, Int
 from torch import Tensor
 
 from core.geometry.init_shape import sample_surface
+from core.guidance.builtin.composition.bunches import TOGETHER
 from core.guidance.builtin.composition.placement import (
     X_TO_Y,
     Z_TO_BACK,
@@ -36,7 +37,7 @@ LEVEL = 0.8  # quantile of the heights under a foot that it rests on
 UNEVEN, NO_GROUND, OFF_MIDDLE, IN_THE_WAY = 1.0, 0.5, 0.15, 0.3
 FILLED, HEAPED = 0.78, 0.4  # of a container's width; of a heap's height, what is over the rim
 DEPTH = 0.55  # of a container's height: most depth of a heap in it, as it narrows below
-OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps"
+OVER_THE_RIM = "handle", "handles", "tap", "lid", "straps", "saucer"  # and around it
 SEAT = 0.8  # off the middle of what one sits in
 SUNK = 0.02  # training units: overlap with the support
 ASTRIDE, SEATED = 0.22, 0.15  # of a thing's height
@@ -47,6 +48,7 @@ WIDEST = 0.7  # of the carrier: most width of a thing on it
 # Of the other's longest side: least and most of a thing's.
 SUPPORT, MOUNT, CONTAINER, BORNE = (0.6, 3.0), (0.7, 1.7), (0.5, 2.5), (0.2, 1.1)
 DECKS = {*GROUPS["Vehicles"], "sled"}  # things in these are on them
+VASE = (0.7, 1.0)  # around flowers
 FOOD = (1.6, 3.5)  # under another food: a cupcake under a cherry
 TALL = 1.5  # times as high as wide: laid down from here on
 LOADED, FLOOR = 1.1, 0.3  # of a bed's width: a load; quantile of a bed's heights: its floor
@@ -87,6 +89,8 @@ def around(thing: Body, container: Body) -> Placement:
     if container.words.noun in DECKS:  # or its seats
         place = under(thing, container, SEAT)
         return place.moved(torch.tensor([0.0, 0.0, SEATED * float(thing.sides[2])]))
+    if is_bunch(thing):
+        return _around_stems(thing, container)
     scale = sized(container, thing, *CONTAINER)
     lower = thing.verts[thing.verts[:, 2] < thing.box.mean(0)[2]]
     wide = ROOM * (lower.amax(0) - lower.amin(0))[:2] / _opening(container)[1][:2]
@@ -96,6 +100,15 @@ def around(thing: Body, container: Body) -> Placement:
     spot, _ = _opening(there)
     middle = torch.cat([thing.box.mean(0)[:2], thing.box[0, 2:]])
     return place.moved(middle - spot + torch.tensor([0.0, 0.0, depth]))
+
+
+def _around_stems(bunch: Body, container: Body) -> Placement:
+    """The placement of a vase around flowers, its mouth where their stems cross."""
+    place = Placement.of(sized(container, bunch, *VASE))
+    spot, _ = _opening(container.placed(place))
+    low = bunch.verts[bunch.verts[:, 2] < bunch.box[0, 2] + FOOT * bunch.sides[2]]
+    crossing = bunch.box[0, 2] + TOGETHER * bunch.sides[2]
+    return place.moved(torch.stack([*low[:, :2].mean(0), crossing]) - spot)
 
 
 def beside(thing: Body, other: Body, row: Body, on_left: bool = False) -> Placement:

@@ -180,7 +180,7 @@ RELICS_AND_NATURE = {
         Usual(1.0, PLANT, 0.08),
     ),
     "cloud": Noun(
-        "clouds, fluffy cloud; rain cloud, raincloud, storm cloud, thundercloud",
+        "clouds, fluffy cloud; rain cloud, raincloud, storm cloud, thundercloud, whipped cream",
         {"middle": "*f4f6f8", "puffs": "*eef1f5", "ends": "*e6ebf1"},
         Usual(2.0, SNOW, 0.01),
     ),

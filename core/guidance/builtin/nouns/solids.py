@@ -21,7 +21,7 @@ SOLIDS = {
         Usual(0.3, RUBBER, 0.3),
     ),
     "cylinder": Noun(
-        "; pipe section",
+        "; pipe section, marshmallow",
         {"body": "*597a99"},
         Usual(0.4, WOOD),
     ),

@@ -22,6 +22,7 @@ class StatedPart(NamedTuple):
     second: str = ""  # the pattern's other colour, where that is stated
     second_form: str = ""
     sizes: tuple[str, ...] = ()
+    number: str = ""  # of its components, as it was written
 
 
 class Accent(NamedTuple):

@@ -52,6 +52,7 @@ class Clauses:
         self._before: list[StatedPart] = []  # parts in a phrase without a noun so far
         self._without = False
         self._part_sizes: list[str] = []  # sizes of the phrase's part, so far
+        self._number = ""  # of the phrase's part, as it is written
         self._looks: list[str] = []  # slots of the colours and materials right before
         # Each slot's number of words at the start of an accessory's phrase; else None
         self._accessory: dict[str, int] | None = None
@@ -151,7 +152,7 @@ class Clauses:
         self._leave_what_it_is_not()
         for size in self._part_sizes:
             self.got.leave_aside([size], "only the whole thing and its parts have a size")
-        self._part_sizes = []
+        self._part_sizes, self._number = [], ""
         self.got.parts += self._before
         # "A chair and an okapi" are two things; "a vase of blue china and gold cracks" is one.
         looked = not self._has_article and self._started != self.got.counts()

@@ -12,6 +12,7 @@ from itertools import islice
 from core.guidance.builtin.words import companion_words as known_as
 from core.guidance.builtin.words import fillings
 from core.guidance.builtin.words.attached import attached_in, by_size, others_in, without_stem
+from core.guidance.builtin.words.bouquets import apart, are_all_flowers, fewer_of_each
 from core.guidance.builtin.words.companion_counts import distributed, next_to, on_both_sides
 from core.guidance.builtin.words.companion_fit import (
     Found,
@@ -109,7 +110,7 @@ def companions_in(
             if not more:
                 break
             found += more
-    return distributed(found), prompt
+    return fewer_of_each(distributed(found)), prompt
 
 
 def one_more(
@@ -289,6 +290,7 @@ class _Search:
             first, before = self._holding(prompt[: match.start()])
             later = self._is_later(prompt, match.start())
             full = any(one.relation == "bears" for one in found)
+            full &= not are_all_flowers(phrase, found)
             # "A pot of flowers" is a name by itself.
             bare = " ".join(word for word in before.split() if word.lower() not in ARTICLES)
             named = look_up(f"{bare} {match['way']} {phrase}".lower(), SLOTS) is not None
@@ -297,7 +299,7 @@ class _Search:
             one = fitting(self._read, "bears", fillings.named(phrase).phrase, first, found)
             whole, start = before + prompt[match.start() :], len(before)
             if one and (one := self._as_filling(one._replace(phrase=phrase), first)):
-                return [one], _cut(whole, start, start + len(match[0].rstrip()), [])
+                return apart(one), _cut(whole, start, start + len(match[0].rstrip()), [])
         return [], prompt
 
     @staticmethod

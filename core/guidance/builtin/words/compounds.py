@@ -14,6 +14,7 @@ from core.guidance.builtin.words.words import LOOKS
 ENDING = "ed"
 # "Gold plated" means no plate, "crooked" no crook.
 NO_PARTS = "plated painted glazed coated varnished covered wrapped crooked".split()
+TOPPED_WITH = (["with"], ["by"], ["off"])
 JEWELLED = ("jewelled", "jeweled", "bejewelled", "bejeweled")
 
 
@@ -46,6 +47,8 @@ def _meant(tokens: Tokens, at: int) -> str:
     entry = look_up(word, tokens.known)
     if word in JEWELLED:
         return "gem"
+    if word == "topped" and tokens.words[at + 1 : at + 2] in TOPPED_WITH:  # no chocolate top
+        return ""
     if entry is None and word.endswith(ENDING) and word not in NO_PARTS:
         forms = (form for stem in _stems(word) for form in (stem, f"{stem}s"))
         return next((form for form in forms if form in PARTS), "")

@@ -8,7 +8,7 @@ from typing import Literal
 Order = Literal["row", "heap", "stack", "crossed", "back to back", "face to face", "circle"]
 
 MOST = 6  # the largest exact count; more are as many as "many"
-MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING, CIRCLED = 5, 3, 7, 5, 6, 3, 6
+MANY, FEW, HEAPED, STACKED, CONTAINED, GROWING, CIRCLED = 5, 3, 7, 5, 6, 5, 6
 MIXED = 10  # of all kinds together that fill a container
 MOST_IN_CIRCLE = 12
 FIGURES = {
@@ -19,6 +19,8 @@ FIGURES = {
         2,
     )
 } | {"fifty": 50, "hundred": 100}
+ONE = ("one", "single", "lone", "solitary")
+MOST_PARTS = 24  # components of a part
 MOST_DIGITS = 100  # 1967 is a year
 FEW_WORDS = frozenset("several few some multiple various".split())
 MANY_WORDS = frozenset("many numerous countless".split())
@@ -136,3 +138,13 @@ WITHIN = 6  # words from the number to the name, at most
 # One of these fills a bowl.
 IN_ONE_HEAP = frozenset(("grapes", "hay bale"))
 PORTION = "five"  # of food on a plate
+
+
+def number_of(word: str) -> int:
+    """The number of a part's components that a word states; 0: none."""
+    if word in ONE:
+        return 1
+    if word.isascii() and word.isdigit() and len(word) < 3:
+        return int(word) if int(word) <= MOST_PARTS else 0
+    number = FIGURES.get(word, 0)
+    return number if number <= MOST_PARTS else 0

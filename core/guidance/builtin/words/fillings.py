@@ -14,6 +14,7 @@ from core.guidance.builtin.words.companion_openers import ends_in_name, named_in
 from core.guidance.builtin.words.contents import FOOD
 from core.guidance.builtin.words.count_words import (
     CONTAINED,
+    FEW,
     GROWING,
     IN_ONE_HEAP,
     PORTION,
@@ -135,8 +136,8 @@ def filling(words: Words, phrase: str, container: str) -> Words | None:
         return replace(words, order="heap")
     if not named(phrase).is_many or noun in IN_ONE_HEAP:
         return words
-    few = flower or (is_creature(noun) and noun not in FISH)
-    return replace(words, count=GROWING if few else CONTAINED, order="heap")
+    few = FEW if is_creature(noun) and noun not in FISH else CONTAINED
+    return replace(words, count=GROWING if flower else few, order="heap")
 
 
 def in_a_vessel(words: Words, phrase: str, others: Iterable[tuple[str, str]]) -> Words:

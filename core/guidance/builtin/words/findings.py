@@ -7,6 +7,7 @@ from typing import Any
 from core.guidance.builtin.part_forms import is_solid
 from core.guidance.builtin.words.accents import StatedPart, accents_of
 from core.guidance.builtin.words.colors import shade
+from core.guidance.builtin.words.count_words import number_of
 from core.guidance.builtin.words.counts import Counted
 from core.guidance.builtin.words.kind_sizes import KIND_SIZES
 from core.guidance.builtin.words.lexicon import SLOTS, Entry, Vocabulary, look_up
@@ -15,17 +16,17 @@ from core.guidance.builtin.words.part_names import (
     always_has,
     borne,
     can_lack,
+    counted_name,
     lacked,
     may_state,
     own_names,
 )
-from core.guidance.builtin.words.part_tables import OPTIONS, WHOLE
+from core.guidance.builtin.words.part_tables import LEGS, MANY_LEGS, OPTIONS, WHOLE
 from core.guidance.builtin.words.prompt_errors import near_words, part_error, two_error, with_hint
 from core.guidance.builtin.words.sorts import Sort
 from core.guidance.builtin.words.words import COUNTS, LOOKS
 
 FOUND = (*SLOTS, "weather", "sheen")
-MANY_LEGS = "four legs"  # where several are meant without a count
 NOT_APART = "that is not a separate part here"
 MADE_AS = {"pattern": "drawn as", "shape": "made"}  # else "made as"
 
@@ -209,6 +210,19 @@ class Findings:
                 found.setdefault(name, " ".join(part.sizes))
         return tuple(found.items())
 
+    def part_counts(self, noun: str) -> tuple[tuple[str, int], ...]:
+        """Each part with a stated number of components, which is then no word without effect."""
+        found: dict[str, int] = {}
+        for part in self.parts:
+            count = LEGS.get(part.name, 0) or number_of(part.number)
+            name = counted_name(noun, part.name) or counted_name(noun, part.form)
+            if not (count and part.there and name) or part.name in OPTIONS.get(noun, ()):
+                continue
+            found.setdefault(name, count)
+            if part.number in self.left_out:
+                self.left_out.remove(part.number)
+        return tuple(found.items())
+
     def _ground(self) -> list[tuple[str, str]]:
         """The colour of the whole below stripes, taken from its description as a part: "red paint,
         white stripes"."""
@@ -229,6 +243,8 @@ class Findings:
             state = part if there else f"no {part}"
             if state in self.options(noun):
                 states.append(state)
+            elif there and part in LEGS and counted_name(noun, part):
+                states.append(MANY_LEGS)
             elif noun and there and not always_has(noun, part):
                 raise part_error(noun, form, there, self.options(noun))
         if not states and MANY_LEGS in self.options(noun):  # "a table with white legs"

@@ -75,6 +75,8 @@ _ROWS = {
     "curtain": "1.8: shower curtain; 8: stage curtain, theater curtain, theatre curtain",
     "hairbrush": "0.17: comb, hair comb",
     "toothbrush": "0.24: electric toothbrush",
+    "cloud": "0.09: whipped cream",
+    "cylinder": "0.03: marshmallow",
     "lipstick": "0.12: mascara",
     "envelope": "0.15: postcard",
     "rake": "1.1: gardening fork, garden fork",

@@ -3,15 +3,19 @@
 from collections.abc import Collection
 
 from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.part_forms import is_solid
 from core.guidance.builtin.substances import CLASS_OF, METAL, natural_kind
 from core.guidance.builtin.words.lexicon import PART_FORMS, Entry, forms_of
 from core.guidance.builtin.words.living import is_creature
 from core.guidance.builtin.words.part_tables import (
     BORNE,
     CALLED,
+    COUNTED_OF_LIVING,
     FEET,
     HARDWARE,
     LEGS,
+    MANY_LEGS,
+    NEVER_COUNTED,
     NO_PARTS,
     OF_BODIES,
     OPTIONS,
@@ -106,6 +110,19 @@ def is_within(noun: str, form: str) -> bool:
 def has_legs(noun: str) -> bool:
     """Whether it has legs, which are not counted where a caption may not state them."""
     return noun in FOUR_LEGS or is_creature(noun) or bool(lacked(noun, "legs", "legs"))
+
+
+def counted_name(noun: str, part: str) -> str:
+    """The noun's name for a part of several components that may be counted: a cake's candles, a
+    table's legs; "" where that is not one."""
+    name = own_name(noun, "legs" if part in LEGS else part)
+    if not name or not is_solid(noun, name) or not name.endswith("s"):
+        return ""
+    if part in LEGS and MANY_LEGS not in OPTIONS.get(noun, ()):
+        return ""
+    if is_creature(noun):
+        return name if name in COUNTED_OF_LIVING else ""
+    return "" if name in NEVER_COUNTED else name
 
 
 def always_has(noun: str, part: str) -> bool:

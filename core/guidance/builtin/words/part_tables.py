@@ -399,8 +399,15 @@ FEET = ("legs", "feet", "base")
 # Parts that a thing may have or lack, as a caption may state them; "no hat" is a word like "hat".
 # Of the legs a caption states how many.
 CHOICES = ("armrests", "backrest", "handle", "cap", "hat", "chimney")
+MANY_LEGS = "four legs"  # where several are meant without a count
 LEGS = {"one leg": 1, "three legs": 3, "four legs": 4}
 PARTS = (*(state for part in CHOICES for state in (part, f"no {part}")), *LEGS)
+# Parts whose components are not counted: of a living thing all but these, of others these.
+COUNTED_OF_LIVING = frozenset(("eyes", "horns", "antlers", "spots"))
+NEVER_COUNTED = frozenset(
+    """wheels hubs tires tyres tracks limbs glasses arms laces strings seeds sprinkles strands
+    twigs sails bubbles needles spines leaves ribs sides walls""".split()
+)
 # What a caption may state of each noun's parts.
 OPTIONS: dict[str, tuple[str, ...]] = {
     "chair": ("armrests", "no armrests"),

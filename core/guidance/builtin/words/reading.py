@@ -9,6 +9,7 @@ from core.guidance.builtin.words.clauses import EITHER, NOT_GIVEN
 from core.guidance.builtin.words.colors import CALLED_SHADES, shade
 from core.guidance.builtin.words.compounds import set_parts_apart
 from core.guidance.builtin.words.contents import set_contents_first
+from core.guidance.builtin.words.count_words import number_of
 from core.guidance.builtin.words.counts import set_counts_apart
 from core.guidance.builtin.words.findings import NOT_APART, with_article
 from core.guidance.builtin.words.kind_sizes import YOUNG
@@ -177,8 +178,11 @@ class Reading(Stature):
                 self.got.qualifiers.append(token)
         elif token in COUNTS and not self.got.found["noun"]:
             self.got.notes.append(f"{token}: one thing is made at a time.")
-        elif token in COUNTS:
+        elif token in COUNTS or number_of(token) > 1:
             self.got.left_out.append(token)
+            self._number = token
+        elif number_of(token) and self.got.found["noun"]:
+            self._number = token
         elif token in PHRASE_ENDS:
             negated = self._without and bool(self._looks) and token in EITHER  # "not red or blue"
             if not self._goes_on(token, at):
@@ -355,6 +359,7 @@ class Reading(Stature):
         """ "With a blue leather handle": the look right before a part is the part's, not the
         thing's."""
         sizes, self._part_sizes = self._part_sizes, []
+        number, self._number = self._number, ""
         for _ in range(self._looks.count("shape")):
             shape = self.got.found["shape"].pop().form
             if shape in PART_SIZES:
@@ -378,7 +383,8 @@ class Reading(Stature):
             return
         colors = [(one.word, shade(*one[1:])) if one else ("", "") for one in (color, second)]
         sheen, pattern = (own[look].word if look in own else "" for look in ("sheen", "pattern"))
-        stated = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1], tuple(sizes))
+        stated = (form, *colors[0], own.get("material"), sheen, pattern, *colors[1])
+        stated += (tuple(sizes), number)
         self.got.parts.append(StatedPart(part, True, *stated))
 
     def _clearest(self, own: dict[str, Entry]) -> dict[str, Entry]:

@@ -15,6 +15,7 @@ from core.guidance.builtin.words.lexicon import SLOTS
 from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.measures import Size
 from core.guidance.builtin.words.moods import Mood
+from core.guidance.builtin.words.part_tables import LEGS
 from core.guidance.builtin.words.poses import PoseWord
 from core.guidance.builtin.words.sizes import usual
 from core.guidance.builtin.words.styles import Style
@@ -57,6 +58,7 @@ class Words:
     style: Style = ""  # of the shape
     absent: tuple[str, ...] = ()  # parts that are left out on request
     part_sizes: tuple[tuple[str, str], ...] = ()  # parts of a size of their own, and its words
+    part_counts: tuple[tuple[str, int], ...] = ()  # parts with a stated number of components
     emblems: tuple[Emblem, ...] = ()  # what is drawn on it
     companions: tuple["Companion", ...] = ()  # other things that are made with it
     count: int = 1  # how many of it are made
@@ -78,7 +80,9 @@ class Words:
     def stated_parts(self) -> list[str]:
         """The parts that the thing should have, and "no ..." for those that it should lack."""
         lacked = [f"no {part}" for part in self.absent]
-        return list(dict.fromkeys([*filter(None, [self.part]), *lacked]))
+        counted = self.part in LEGS and "legs" in dict(self.part_counts)
+        stated = [self.part] if self.part and not counted else []
+        return list(dict.fromkeys([*stated, *lacked]))
 
     def usual(self) -> tuple[float, float]:
         """The thing's usual size in metres, changed by "small" and similar words, and its density

@@ -19,6 +19,7 @@ from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.asking import asked_for
+from core.guidance.builtin.words.bouquets import as_bouquet, in_bunches
 from core.guidance.builtin.words.companion_fit import Found, Read, Reader
 from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
 from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
@@ -52,6 +53,11 @@ from core.guidance.builtin.words.roles import first_names, undisguised
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.sorts import sort_of
 from core.guidance.builtin.words.styles import style_of
+from core.guidance.builtin.words.toppings import (
+    in_toppings,
+    with_its_liquid,
+    without_replaced,
+)
 from core.guidance.builtin.words.with_companions import with_companions, without_look
 from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 from core.guidance.builtin.words.written import apart_from_texts
@@ -127,6 +133,7 @@ def _looks(words: Words) -> dict[str, Any]:
         "order": words.order,
         "colours": [color for color in (words.color_form or words.color, second) if color],
         "part_sizes": dict(words.part_sizes),
+        "part_counts": dict(words.part_counts),
         "part_colours": words.part_shades(),
         "materials": [words.named_material()] if words.material else [],
         "part_materials": words.part_materials(),
@@ -162,12 +169,14 @@ def parse(
     if not noun_needed:
         return _parsed(prompt, False, known, ignore_unknown)
     prompt, style = style_of(W_SLASH.sub("with ", prompt))
-    prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(text)))
+    prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(in_toppings(text))))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
     prompt = tree_first(snake_first(apart_from_texts(prompt, turned_around)))
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
-    return replace(_of_thing(prompt, known, ignore_unknown), style=style)
+    bunched = apart_from_texts(prompt, in_bunches)
+    words = as_bouquet(_of_thing(bunched, known, ignore_unknown), prompt)
+    return replace(without_replaced(words), style=style)
 
 
 def _of_thing(prompt: str, known: Vocabulary, ignore_unknown: bool) -> Words:
@@ -367,6 +376,7 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
         words["absent"] = tuple(dict.fromkeys((*words["absent"], OWN_EMBLEM)))
     words |= {"pose": pose, "mood": "" if mooded.is_drawn else mooded.mood, "cut": cut}
     words["part_sizes"] = got.part_sizes(words["noun"])
+    words["part_counts"] = got.part_counts(words["noun"])
     # In the table's order: snow is on dirt.
     words["weather"] = tuple(w for w in WEATHERS if w in got.words("weather"))
     words["sheen"] = tuple(got.words("sheen"))
@@ -385,7 +395,8 @@ def _parse_alone(prompt: str, noun_needed: bool, known: Vocabulary, ignore_unkno
     words |= _of_denim(words, {entry.form for entry in got.found["noun"]})
     notes = dict.fromkeys([*got.notes, *mooded.notes, *got.narrower(), *got.omissions()])
     left_out = tuple(dict.fromkeys([*got.left_out, *got.aside]))
-    return Words(**words, notes=tuple(notes), left_out=left_out)
+    names = [entry.form for entry in got.found["noun"]]
+    return with_its_liquid(Words(**words, notes=tuple(notes), left_out=left_out), names)
 
 
 def _of_denim(words: dict[str, Any], names: set[str]) -> dict[str, str]:
