@@ -15,6 +15,7 @@ from core.guidance.builtin.composition.attaching import (
     surrounding,
 )
 from core.guidance.builtin.composition.resting import upon
+from core.guidance.builtin.words.rephrasing import turned_around
 from core.guidance.builtin.words.vocabulary import parse, understood
 from core.tests.drawn_things import body, box, several
 
@@ -208,3 +209,31 @@ def test_each_of_what_grows_has_its_own_place_in_the_whole():
     top = log.placed(own).box[1, 2]
     for place in places:
         assert abs(float(small.placed(place).box[0, 2] - top)) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("prompt", "same"),
+    [
+        ("a vase with a dragon", "a vase with a dragon on it"),
+        ("a mug with a sleeping cat", "a mug with a sleeping cat on it"),
+        ("a snow globe with a little house", "a snow globe with a little house inside"),
+        ("a jack-o-lantern with a witch hat", "a jack-o-lantern wearing a witch hat"),
+        ("a snake around a staff", "a snake coiled around a staff"),
+    ],
+)
+def test_prompts_that_say_the_same_in_other_words(prompt, same):
+    assert turned_around(prompt) == same
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "a vase with a rose",
+        "a mug with a spoon",
+        "a snow globe with a wooden base",
+        "a plate with a fish",
+        "a skull with a candle",
+    ],
+)
+def test_other_prompts_stay_as_they_are(prompt):
+    assert turned_around(prompt) == prompt

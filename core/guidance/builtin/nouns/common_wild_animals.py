@@ -226,7 +226,7 @@ COMMON_WILD_ANIMALS = {
         Usual(0.25, FLESH, 0.59),
     ),
     "turtle": Noun(
-        "; tortoise",
+        "sea turtle; tortoise",
         {
             "shell": "*6b5a2c plates",
             "body": "+6da84a",

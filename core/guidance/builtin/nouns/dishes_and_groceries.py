@@ -51,7 +51,7 @@ DISHES_AND_GROCERIES = {
         Usual(0.2, FLESH, 0.9),
     ),
     "pizza": Noun(
-        "; pizza slice, pizza pie",
+        "pepperoni pizza; pizza slice, pizza pie",
         {
             "crust": "+c98a42",
             "cheese": "*f4c64f",

@@ -50,7 +50,8 @@ HOUSES = {
         Usual(5.0, STONE, 0.15),
     ),
     "log cabin": Noun(
-        "log cabins, cabin, log house, wooden cabin; log hut, hunting lodge, woodcutters hut",
+        "log cabins, cabin, log house, wooden cabin; log hut, hunting lodge, woodcutters hut, "
+        "longhouse, viking longhouse",
         {
             "logs": "*96602f . wooden",
             "roof": "+4c3a30",

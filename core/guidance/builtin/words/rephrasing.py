@@ -65,6 +65,14 @@ _TURNED = {
     rf"(?: (?:{_GROWS}(?: (?:up|around|over|on))?|around|on) (?:it|them))?(?= and\b|[,.]|$)": (
         "overgrown"
     ),
+    r"^(?P<of>\s*(?:an?|the) (?:[\w-]+ ){0,3}?(?:snake|serpent|cobra|python|viper) )"
+    r"(?=around (?:an?|the|its) )": r"\g<of>coiled ",
+    r"\b(?P<of>snow ?globes?|glass domes?|terrariums?) with "
+    r"(?P<what>an? (?!(?:[\w-]+ )*(?:stand|base|lid|plaque)\b)[^,.]+?)(?= and\b|[,.]|$)"
+    r"(?<!inside)(?<!in it)": r"\g<of> with \g<what> inside",
+    r"\b(?P<of>jack[- ]o[- ]lantern|pumpkin|skull) with "
+    r"(?P<what>an? (?:[\w-]+ ){0,3}?(?:hat|cap|crown|beret|beanie|fez|fedora))"
+    r"(?= and\b|[,.]|$)": r"\g<of> wearing \g<what>",
 }
 _PATTERNS = {re.compile(one, re.IGNORECASE): meant for one, meant in _TURNED.items()}
 _END = r"(?= with\b|[,.;]|$)"
@@ -76,6 +84,11 @@ _HANGING = re.compile(
     r"^\s*(?P<who>[^,;.]+?),? (?:that (?:is|are) )?hanging (?:down )?(?:from|in|on|off) "
     r"(?:(?:the|an?|its) (?:[\w-]+ )?(?:branch|branches|limb) of )?"
     rf"{_TREE}(?: branch(?:es)?| limb)?{_END}",
+    re.IGNORECASE,
+)
+_DECORATED = re.compile(
+    r"(?P<of>\b(?:vase|urn|mug|teapot|jug|shield|flag|banner|coin|skateboard|surfboard|poster)) "
+    rf"with (?P<what>an? (?:(?!\b(?:on|in|inside|and|wrapped|around)\b)[^,.;])+?){_END}",
     re.IGNORECASE,
 )
 _COILED = re.compile(
@@ -90,7 +103,13 @@ def turned_around(prompt: str) -> str:
     """The prompt with the thing first that the others are around or behind."""
     for pattern, meant in _PATTERNS.items():
         prompt = pattern.sub(meant, prompt)
-    return prompt
+    return _DECORATED.sub(_as_picture, prompt)
+
+
+def _as_picture(found: re.Match[str]) -> str:
+    """ "A vase with a dragon": a creature is a picture on it."""
+    what = found["what"]
+    return f"{found['of']} with {what} on it" if is_creature(named_in(what)) else found[0]
 
 
 def snake_first(prompt: str) -> str:
