@@ -49,13 +49,13 @@ def test_a_rounded_cube_keeps_its_faces_and_loses_its_corners(cube):
 
 def test_what_is_thinner_than_the_edges_are_round_stays():
     plate = block((0.0, 0.0, 0.0), (0.5, 0.5, 0.03))
-    kept = bodied(plate, 0.05, [])
+    kept = bodied(plate, 0.05, [], 0.1)
     assert volume(kept) == pytest.approx(volume(plate))
 
 
 def test_a_body_has_wells_around_its_wheels_and_holds_them_by_their_axles():
     wheels = [wheel(x, y) for x in (-0.36, 0.36) for y in (-0.5, 0.5)]
-    made = bodied(BODY, 0.0, wheels)
+    made = bodied(BODY, 0.0, wheels, 0.1)
     assert is_solid(*made)
     verts = made[0]
     axle = torch.hypot(verts[:, 1].abs() - 0.5, verts[:, 2] + 0.06)
@@ -63,6 +63,8 @@ def test_a_body_has_wells_around_its_wheels_and_holds_them_by_their_axles():
     # No vertex of the body is nearer to a wheel than the gap, but for the axle's.
     assert axle[over].min() > WHEEL + 0.9 * GAP
     assert ((verts[:, 0].abs() - 0.36).abs() < 1e-4).any()  # the axles' ends
+    sides = made[0][made[1]] - made[0][made[1].roll(1, 1)]
+    assert sides.norm(dim=2).max() < 0.12
     lost = volume(BODY) - volume(made)
     assert 0 < lost < 0.2 * volume(BODY)
 
@@ -70,7 +72,7 @@ def test_a_body_has_wells_around_its_wheels_and_holds_them_by_their_axles():
 def test_a_wheel_that_is_not_at_its_side_gets_no_well():
     spare = block((0.0, 0.8, 0.1), (WHEEL, 0.07, WHEEL))
     middle = wheel(0.0, -0.6)
-    made = bodied(BODY, 0.0, [spare, middle])
+    made = bodied(BODY, 0.0, [spare, middle], 0.1)
     assert volume(made) == pytest.approx(volume(BODY))
     sizes = ([0.1, 0.4, 0.4], [0.4, 0.1, 0.4], [0.4, 0.4, 0.4], [0.1, 0.4, 0.2])
     upright = [is_upright(torch.tensor(size)) for size in sizes]

@@ -310,17 +310,17 @@ class KnownParts:
                 made = mirrored_mesh(self._surface(mirror.of), mirror.axis)
             else:
                 made = self._in_size(index, *exact_surface(self, component))
-                made = self._bodied(component.place.part, made)
+                made = self._bodied(component, made)
             self._surfaces[index] = made
         return self._surfaces[index]
 
-    def _bodied(self, part: int, made: tuple[Tensor, Tensor]) -> Mesh:
+    def _bodied(self, component: Component, made: tuple[Tensor, Tensor]) -> Mesh:
         """A component's surface with its part's bodywork."""
-        work = self.forms.bodywork.get(part)
+        work = self.forms.bodywork.get(component.place.part)
         if work is None:
             return made
         of = [k for k, one in enumerate(self.components) if one.place.part == work.wheels]
-        return bodied(made, work.radius, [self._surface(k) for k in of])
+        return bodied(made, work.radius, [self._surface(k) for k in of], component.cell)
 
     def _distance(self, index: int) -> Callable[[Tensor], Tensor]:
         """From a component's exact surface, signed."""

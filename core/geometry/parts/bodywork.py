@@ -13,7 +13,7 @@ import torch
 from jaxtyping import Float, Int
 from torch import Tensor
 
-from core.geometry.union import dilated, eroded, is_solid, lathe, less, volume
+from core.geometry.union import dilated, eroded, is_solid, lathe, less, refined, volume
 
 Mesh = tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]
 GAP = 0.03  # between a wheel and its well, training units
@@ -35,10 +35,11 @@ class Bodywork(NamedTuple):
 
 
 def bodied(
-    mesh: Mesh, radius: float, wheels: Sequence[tuple[Tensor, Tensor]]
+    mesh: Mesh, radius: float, wheels: Sequence[tuple[Tensor, Tensor]], edge: float
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """A body with its edges rounded by ``radius``, and wells around its wheels, whose axles are
-    along x; a wheel that is not at its side stays as it is."""
+    along x; a wheel that is not at its side stays as it is. ``edge``: the longest one, about: even
+    triangles cannot be made of long slivers, a car became wavy."""
     soft = rounded_edges(mesh, radius) if radius else mesh
     # Thinner than the edges are round, it would be gone.
     made = soft if volume(soft) > KEPT * volume(mesh) else mesh
@@ -48,7 +49,7 @@ def bodied(
         (wide, *_), middle = high - low, (low + high) / 2
         if is_upright(high - low) and abs(float(middle[0])) > ASIDE * half:
             made = less(made, _well(middle, float((high - low)[1:].max()) / 2, float(wide)))
-    return made
+    return refined(made, edge)
 
 
 def rounded_edges(
