@@ -68,7 +68,7 @@ _WHERE = {
     "behind": r" (?:crossed )?behind (?:it|them)\b",
     "front": r" (?:attached )?(?:on|at|to|in) (?:the|its) (?:front|handlebars?|rack|back)\b",
     "lid": rf"{_POSTURE} on (?:the|its|an?|one of its) "
-    r"(?:lid|cover|branch|branches|canopy|chimney|spout|roof|handle|hood|bonnet)\b",
+    r"(?:lid|branch|branches|canopy|chimney|spout|roof|handle|hood|bonnet)\b",
     "within": r" in(?:side)? (?:it|its palm)\b",
     "top": rf"{_POSTURE} on (?:the )?top\b",
     "on": rf"{_POSTURE} (?:on|to) (?:it|them|(?:its|the) (?:side|brim|band))\b",

@@ -15,6 +15,7 @@ from core.guidance.builtin.words.findings import with_article
 from core.guidance.builtin.words.lexicon import Entry
 from core.guidance.builtin.words.living import is_animal
 from core.guidance.builtin.words.part_names import as_part, is_asked, is_wide, is_within, owns
+from core.guidance.builtin.words.part_tables import OPTIONS
 from core.guidance.builtin.words.slots import Words
 
 _PLACING = ("on", "in")  # a thing has one of these
@@ -23,6 +24,7 @@ USING = ("using", "uses")
 BY_IT_TOO = ("playing", "plays", "play", "eating", "eats", "reading", "reads", *USING)
 BY_IT_TOO += ("jumping", "jumps", "leaping", "leaps", "bounding", "vaulting", "hopping")
 _DRIVING = ("driving", "drives", "drive")
+_PEDESTAL = re.compile(r"\bpedestal$", re.IGNORECASE)  # a table's is its leg
 
 
 class Found(NamedTuple):
@@ -87,6 +89,8 @@ def fitting(
     if relation == "in":
         phrase = known_as.as_container(phrase)
     if weak and relation == "wears" and not is_dressed(first):
+        return None
+    if "one leg" in OPTIONS.get(first, ()) and _PEDESTAL.search(phrase):
         return None
     got = read(phrase)
     if got is None or got.entry.form in known_as.GROWN:

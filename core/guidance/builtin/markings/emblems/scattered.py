@@ -52,7 +52,7 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
     """Evenly placed shapes on these parts; None without room."""
     places, normals, of = surface_places(parts)
     here = np.isin(of, on)
-    here[here] = _shown(parts, places[here], normals[here], of[here])
+    here[here] = _bare(parts, places[here], normals[here], of[here])
     places, normals = places[here], normals[here]
     if not len(places):
         return None
@@ -77,19 +77,19 @@ def scattered_on(parts: KnownParts, on: list[int]) -> Scattered | None:
     return Scattered(*axes, half)
 
 
-def _shown(
+def _bare(
     parts: KnownParts,
     places: Float[np.ndarray, "n 3"],
     normals: Float[np.ndarray, "n 3"],
     of: Int[np.ndarray, " n"],
 ) -> Bool[np.ndarray, " n"]:
-    """Which places are neither below the thing nor under another part, as a cup's bottom is under
-    its tea; all, if there are no such places."""
+    """Which places are not under another part, as a cup's bottom is under its tea; all, if there
+    are no such places."""
     above = torch.from_numpy(places + ABOVE * normals).float()
     away = parts.near(above).numpy().copy()
     away[np.arange(len(of)), of] = np.inf
-    shown = (away.min(1) > 0) & (normals[:, 2] > -BELOW)
-    return shown if shown.any() else ~shown
+    bare = away.min(1) > 0
+    return bare if bare.any() else ~bare
 
 
 def _longest(places: Float[np.ndarray, "n 3"], of: Int[np.ndarray, " n"]) -> float:
@@ -106,8 +106,9 @@ def _apart(
     """Places far enough from one another, where the surface is even."""
     tried = np.random.default_rng(0).permutation(len(places))[:TRIED]
     inward = ((places - places.mean(0)) * normals).sum(1)[tried] < 0
+    order = inward + 2 * (normals[tried, 2] < -BELOW)
     found: list[int] = []
-    for index in tried[np.argsort(inward, kind="stable")]:  # outer surfaces first
+    for index in tried[np.argsort(order, kind="stable")]:  # outer surfaces first, undersides last
         place = places[index]
         if found and np.linalg.norm(places[found] - place, axis=1).min() < APART * half:
             continue
