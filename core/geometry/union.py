@@ -16,8 +16,7 @@ from torch import Tensor
 
 from core.geometry.struts import MOST_STRUTS, struts
 
-ROUND = 16  # segments of a strut's ends
-BALL = 16  # segments of a ball that rounds edges
+ROUND = 16  # segments of a strut's ends, and of a ball that rounds edges
 PLANE = 2e-3  # how far an eroded surface may be off, training units
 JOINT = 48  # of a joint's
 WHOLE = 1 - 1e-6  # of a mesh's volume: nothing is cut off
@@ -94,7 +93,7 @@ def eroded(
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """What is farther inside a closed mesh than ``radius``; maybe nothing. A face takes some
     milliseconds."""
-    solid = _solid(*mesh).minkowski_difference(manifold3d.Manifold.sphere(radius, BALL))
+    solid = _solid(*mesh).minkowski_difference(manifold3d.Manifold.sphere(radius, ROUND))
     return _like(mesh, solid.simplify(PLANE))
 
 
@@ -102,7 +101,7 @@ def dilated(
     mesh: tuple[Tensor, Tensor], radius: float
 ) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"]]:
     """A closed mesh and all that is nearer to it than ``radius``."""
-    return _like(mesh, _solid(*mesh).minkowski_sum(manifold3d.Manifold.sphere(radius, BALL)))
+    return _like(mesh, _solid(*mesh).minkowski_sum(manifold3d.Manifold.sphere(radius, ROUND)))
 
 
 def refined(

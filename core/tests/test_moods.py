@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 import torch
 
-from core.guidance.builtin.markings.expressions import MOUTH, expression, glints
+from core.guidance.builtin.markings.expressions import MOUTH, expression
 from core.guidance.builtin.painted_solid import PaintedSolid
 from core.guidance.builtin.palette import Painted, looks, painted
 from core.guidance.builtin.words.slots import Words
@@ -75,7 +75,7 @@ def drawn(mood):
     paints = list(painted("ghost", Words("ghost")))
     paints = [paints[0]._replace(name="head"), paints[1]._replace(name="eyes"), paints[2]]
     names = ["head", "eyes", MOUTH]
-    return expression(mood, names, BOXES, [0, 1, 0], eyeball, paints)
+    return expression(mood, False, names, BOXES, [0, 1, 0], eyeball, paints)
 
 
 def owner(areas, points):
@@ -143,7 +143,7 @@ def test_paint_of_lids_is_a_shade_of_the_head():
 def reflected(eye=(0.05, 0.05, 0.05), names=("body", "eyes", MOUTH)):
     """The reflections in the eyes of a ghost's head."""
     paints = [one._replace(color=eye) for one in painted("ghost", Words("ghost"))]
-    return glints(list(names), BOXES, [0, 1, 0], eyeball, paints)
+    return expression("", True, list(names), BOXES, [0, 1, 0], eyeball, paints)
 
 
 def test_dark_eyes_have_reflections_at_their_upper_and_lower_side():

@@ -20,7 +20,7 @@ from core.guidance.builtin.counted_solid import CountedSolid, counted_solid
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
 from core.guidance.builtin.markings.emblems.portraits import Portrait, portrait_of
-from core.guidance.builtin.markings.expressions import MOUTH, expression, glints
+from core.guidance.builtin.markings.expressions import MOUTH, expression
 from core.guidance.builtin.markings.heights import GROOVE
 from core.guidance.builtin.markings.markings import (
     NUMBER,
@@ -170,10 +170,11 @@ class PaintedSolid:
         def distances(points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
             return marked(self.solid.distances(points), points)[:, :count]
 
-        known = list(looks(noun)), self.parts.boxes(), marked.bearers, distances, self.paints
-        found = expression(words.mood, *known) if words.mood else []
         lively = not words.is_statue and is_lively(noun)
-        return [*found, *(glints(*known) if lively else ())]
+        if not words.mood and not lively:
+            return []
+        known = list(looks(noun)), self.parts.boxes(), marked.bearers, distances, self.paints
+        return expression(words.mood, lively, *known)
 
     @cached_property
     def number(self) -> str:

@@ -90,9 +90,9 @@ class Body:
         for small in (k for k, name in enumerate(looks(words.noun)) if name in EYES):
             part[distances[:, small] < NEAR] = small
         verts = verts if parts is None else parts.settled(verts, part)
-        if words.cut == "slice" and isinstance(parts, CutParts):
-            verts, faces, part = _left(parts, verts, faces, part)
         body = cls(words, verts, faces, part)
+        if words.cut == "slice" and isinstance(parts, CutParts):
+            body = body._of_verts(parts.tool.distance(verts) > 0)
         size = words.size
         longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
         return replace(body, metres=longest / body.longest)
@@ -154,7 +154,11 @@ class Body:
 
     def only(self, *names: str) -> "Body":
         """The named parts alone; the whole thing where it has none of them."""
-        kept = self.among(*names)[self.faces].all(1)
+        return self._of_verts(self.among(*names))
+
+    def _of_verts(self, verts: Bool[Tensor, " v"]) -> "Body":
+        """The faces between these vertices alone; the whole thing where there are none."""
+        kept = verts[self.faces].all(1)
         if not kept.any():
             return self
         used, faces = self.faces[kept].unique(return_inverse=True)
@@ -173,18 +177,6 @@ class Body:
         """Which points belong to the named parts."""
         rows = [k for k, name in enumerate(looks(self.words.noun)) if name in names]
         return torch.isin(self.part, torch.tensor(rows, dtype=self.part.dtype))
-
-
-def _left(
-    parts: CutParts,
-    verts: Float[Tensor, "v 3"],
-    faces: Int[Tensor, "f 3"],
-    part: Int[Tensor, " v"],
-) -> tuple[Float[Tensor, "w 3"], Int[Tensor, "g 3"], Int[Tensor, " w"]]:
-    """What is left of a surface by a cut."""
-    kept = parts.tool.distance(verts) > 0
-    index = kept.long().cumsum(0) - 1
-    return verts[kept], index[faces[kept[faces].all(1)]], part[kept]
 
 
 def joined(bodies: Sequence[Body]) -> Body:

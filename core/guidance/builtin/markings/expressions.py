@@ -85,15 +85,19 @@ class Feature(NamedTuple):
 
 def expression(
     mood: Mood,
+    is_lively: bool,
     names: Sequence[str],
     boxes: Sequence[Float[Tensor, "2 3"] | None],
     bearers: Sequence[int],
     distances: Distances,
     paints: Sequence[Painted],
 ) -> list[Overlay]:
-    """The areas of a mood on one object.
+    """The areas of a mood on one object, and the reflections in a pair of dark eyes, without which
+    they look dead.
 
     Args:
+        mood: "" for none.
+        is_lively: whether light is reflected in its eyes.
         names: of its parts.
         boxes: of its parts with a solid.
         bearers: for each part the one with the solid below it.
@@ -102,7 +106,8 @@ def expression(
     search = _Search(boxes, bearers, distances)
     found: list[Overlay] = []
     own = tuple(part for part, name in enumerate(names) if name in EYES)
-    if eye := search.feature(own, True):
+    eye = search.feature(own, True)
+    if eye and mood:
         found += _by_eye(mood, eye, own, search.around(eye, own), paints)
     if MOUTH in names:
         mouth = names.index(MOUTH)
@@ -113,26 +118,11 @@ def expression(
         # A robot's comes with the rings at its ears.
         if feature and box is not None and feature.half[0] < WIDEST * (box[1] - box[0])[0] / 2:
             found.append(Overlay(_mouth(mood, feature), (below, mouth), below, paints[mouth]))
+    dark = [part for part in own if luma(paints[part].color) <= DARK]
+    if is_lively and dark and eye and eye.is_pair and GLINTS not in names:
+        white = paints[own[0]]._replace(second=WHITE, pattern="", name=GLINTS, color=WHITE)
+        found.append(Overlay(_glint(eye), own, own[0], white))
     return found
-
-
-def glints(
-    names: Sequence[str],
-    boxes: Sequence[Float[Tensor, "2 3"] | None],
-    bearers: Sequence[int],
-    distances: Distances,
-    paints: Sequence[Painted],
-) -> list[Overlay]:
-    """The reflections in a pair of dark eyes, without which they look dead; the arguments are those
-    of :func:`expression`."""
-    own = tuple(part for part, name in enumerate(names) if name in EYES)
-    if GLINTS in names or not own or min(luma(paints[part].color) for part in own) > DARK:
-        return []
-    eye = _Search(boxes, bearers, distances).feature(own, True)
-    if eye is None or not eye.is_pair:
-        return []
-    plain = paints[own[0]]._replace(second=WHITE, pattern="", name=GLINTS, color=WHITE)
-    return [Overlay(_glint(eye), own, own[0], plain)]
 
 
 def _glint(eye: Feature) -> Callable[[Tensor], Margin]:
