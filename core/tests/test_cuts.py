@@ -14,6 +14,7 @@ from core.geometry.parts.forms import Forms
 from core.geometry.signed_distance import SolidMesh
 from core.geometry.tools import beyond, both, capsule, joined, larger, outside, rough
 from core.geometry.union import volume
+from core.guidance.builtin.composition.placement import Body
 from core.guidance.builtin.cutting import places
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.cutting.fills import Fill, within
@@ -22,7 +23,9 @@ from core.guidance.builtin.palette import painted
 from core.guidance.builtin.words import cuts
 from core.guidance.builtin.words.slots import Words
 from core.guidance.builtin.words.vocabulary import parse, understood
+from core.tests.drawn_things import shipped_prior
 
+CAKES = "a cake", "a slice of cake"
 UP = np.array([0.0, 0.0, 1.0])
 RADIUS = 0.5
 
@@ -202,3 +205,12 @@ def test_the_inside_has_areas_of_its_own():
         assert found.argmin(1)[2] == 0
     middle = cut.shown(whole.distances, torch.tensor([[0.0, -0.1, 0.0]]), 2)
     assert middle.amin() > 0  # nothing is there
+
+
+def test_a_slice_has_half_the_size_and_bears_things_where_it_is():
+    whole, one = (shipped_prior().prompted(text, "").of_object(0) for text in CAKES)
+    assert one.words.usual()[0] == pytest.approx(whole.words.usual()[0] / 2)
+    parts = one.parts()
+    body = Body.of(one.words, one.solid, parts)
+    assert (parts.tool.distance(body.verts) > 0).all()
+    assert float(body.sides[:2].max()) < 0.8 * float(Body.of(whole.words, whole.solid).sides.max())
