@@ -12,12 +12,17 @@ SEQUIN = 0.024
 
 
 def fabric(place: Place) -> Layer:
-    """A plain weave: threads over and under each other, none as thick as the next."""
+    """A plain weave: threads over and under each other, none as thick as the next.
+
+    The wider its threads have to be to be seen, the less their colours differ: a white coat is
+    white, not checkered.
+    """
     weave = _box(place, plain_weave, THREAD)
+    fine = THREAD / place.noise.shown(THREAD)
     slub = _threads(place)
     worn = place.noise.waves(place.point, 5.0, 3, 3)
     return Layer.of(
-        0.75 * (0.6 - weave) + 0.35 * slub + 0.25 * worn,
+        0.65 * fine * (0.6 - weave) + 0.35 * slub + 0.25 * worn,
         (0.55, 0.55, 0.55),
         roughness=0.05 * (0.6 - weave),
         height=0.0028 * weave,

@@ -228,7 +228,7 @@ _BEARERS = _rule(rf"(?:{_BEARING})\b")
 # And many small ones.
 _MORE_BEARERS = _rule(
     rf"(?:{_BEARING}|dress|skirt|teapot|teacup|kettle|scarf|socks?|curtains?|umbrella|towel|blanket|"
-    r"tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)\b"
+    r"tie|kite|wallpaper|apron|suitcase|bush|hedge|wreath|hat|cake)(?:e?s)?\b"
 )
 _VESSELS = _rule(r"(?:vase|bowl|pot|goblet)\b")  # where they are stated to be on it
 _OTHERS = re.compile(r"\b(?:with|wearing|holding|on|in|and|next)\b", re.IGNORECASE)

@@ -5,11 +5,21 @@ Standard library only.
 
 import re
 
+# What is stated of a set is of each thing in it.
+_LOOK = r"(?P<look>(?:(?!an?\b|the\b|of\b|and\b|with\b|in\b|on\b)[\w'-]+ ){0,4})"
+_TAIL = (
+    r"(?P<tail>(?: (?:painted|decorated))? (?:with|in) (?:(?!an?\b|the\b|and\b)[\w'-]+ ){0,3}"
+    r"(?:flowers|roses|dots|stripes|hearts|stars|leaves|birds|patterns?|print|trim|rims?|handles?|"
+    r"accents|details)\b)"
+)
 _DOOR = r"(?:(?:tiny|small|little|round|wooden|red|blue|green) )*(?:doors?|windows?)"
 _IDIOMS = {
     r"pots? of gold": "cauldron full of gold coins",
     r"pot of (?:soup|stew|chili)": "cooking pot",
-    r"tea (?:set|service)": "teapot and two teacups",
+    rf"{_LOOK}tea (?:set|service){_TAIL}": (
+        r"\g<look>teapot\g<tail> next to two \g<look>teacups\g<tail>"
+    ),
+    rf"{_LOOK}tea (?:set|service)": r"\g<look>teapot and two \g<look>teacups",
     r"pack of (?:playing )?cards": "deck of cards",
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",

@@ -52,6 +52,7 @@ LIQUIDS = {
 }
 # A part that something else on top is there in place of.
 REPLACED = {"cupcake": "cherry", "sundae": "cherry"}
+WITH_CREAM = ("cupcake", "sundae")  # of its own: whipped cream on it is that
 
 
 def in_toppings(prompt: str) -> str:
@@ -74,7 +75,12 @@ def with_its_liquid(words: Words, names: Collection[str]) -> Words:
 
 
 def without_replaced(words: Words) -> Words:
-    """The thing without the cherry in whose place something else is: a strawberry on a cupcake."""
+    """The thing without the cherry in whose place something else is: a strawberry on a cupcake.
+
+    Nor with more cream than its own."""
+    if words.noun in WITH_CREAM:
+        others = tuple(one for one in words.companions if one.words.noun != CLOUD)
+        words = replace(words, companions=others)
     part = REPLACED.get(words.noun)
     borne = any(
         one.relation == "bears" and one.words.noun not in (CLOUD, part) for one in words.companions
