@@ -22,7 +22,7 @@ from core.camera import Cameras
 from core.config import DRAFT, GeometryConfig
 from core.errors import UserError
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.words.prompt_errors import known_things
+from core.guidance.builtin.words.grammar.prompt_errors import known_things
 from core.io.job import Job, write_text
 from core.io.png import write_png
 from core.io.progress import Progress

@@ -23,8 +23,8 @@ from core.generate import generate, prepare
 from core.geometry.mesh import health
 from core.guidance.builtin.offered import drawn_nouns, offered_words
 from core.guidance.builtin.palette import FINISHES, looks
-from core.guidance.builtin.words.colors import COLOR_VALUES
-from core.guidance.builtin.words.prompt_errors import known_things
+from core.guidance.builtin.words.grammar.prompt_errors import known_things
+from core.guidance.builtin.words.tables.colors import COLOR_VALUES
 from core.io.asset import read_asset
 from core.io.job import Job, write_text
 from core.io.maps import Maps

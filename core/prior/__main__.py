@@ -19,7 +19,7 @@ from core.guidance.builtin.network import UNet
 from core.guidance.builtin.offered import SOLID, WEIGHTS
 from core.guidance.builtin.solid import save_solid_net
 from core.guidance.builtin.weights import load_weights, ship_weights
-from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.grammar.lexicon import SLOTS
 from core.io.atomic import disk_errors
 from core.io.input_file import check_file
 from core.prior.allocator import keep_freed_memory
@@ -239,7 +239,7 @@ def ship(options: argparse.Namespace) -> None:
     missing = [word for word in options.without if all(word not in SLOTS[s] for s in SLOTS)]
     if missing:
         raise UserError(
-            f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words/words.py."
+            f"There is no word {missing[0]!r}.", "See core/guidance/builtin/words/tables/words.py."
         )
     words = SLOTS | {"noun": NOUNS}  # without nouns that have another noun's solid
     known = {s: [word for word in words[s] if word not in options.without] for s in words}

@@ -12,7 +12,7 @@ from torch.nn.functional import avg_pool2d, interpolate, normalize
 from core.appearance.environment import Environment, load_light
 from core.appearance.shade import shade
 from core.guidance.builtin.nouns import NOUNS as KNOWN
-from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.grammar.lexicon import SLOTS
 from core.ops import linear_to_srgb
 from core.prior.data import NOUNS, Samples
 from core.prior.draw import Draw

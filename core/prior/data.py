@@ -19,7 +19,7 @@ from torch import Tensor
 from core.camera import CameraConfig, Cameras, sample_cameras
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.stretch import STRETCH
-from core.guidance.builtin.words.part_tables import OPTIONS, PARTS
+from core.guidance.builtin.words.tables.part_tables import OPTIONS, PARTS
 from core.io.atomic import atomic_file
 from core.prior.draw import Draw
 from core.prior.families import build

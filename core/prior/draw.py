@@ -2,7 +2,7 @@
 
 import torch
 
-from core.guidance.builtin.words.part_tables import LEGS
+from core.guidance.builtin.words.tables.part_tables import LEGS
 
 
 class Draw:

@@ -23,8 +23,8 @@ from core.guidance.builtin.hint import hint
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.part_map import PARTS
-from core.guidance.builtin.words.colors import COLOR_VALUES
-from core.guidance.builtin.words.lexicon import SLOTS as WORDS
+from core.guidance.builtin.words.grammar.lexicon import SLOTS as WORDS
+from core.guidance.builtin.words.tables.colors import COLOR_VALUES
 from core.guidance.sds import add_noise, eps_from_v
 from core.ops import lab, srgb_to_linear
 from core.prior.colored import Painter

@@ -9,7 +9,7 @@ import torch
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.stretch import known_wider
-from core.guidance.builtin.words.sizes import usual
+from core.guidance.builtin.words.tables.sizes import usual
 from core.prior.draw import Draw
 from core.prior.families import build
 
@@ -21,7 +21,7 @@ What `generate` makes is as large and as heavy as an ordinary specimen: the long
 mass of the prior's own solid (one of each, seed 1) in the material that the thing is of where the
 prompt names none. A size in the prompt ("2 m tall") or `--size METRES` sets another. What is made
 as one of these things and is not of its size has its own: a kennel, made as a house, has 1.1 m. The
-data is in `core/guidance/builtin/nouns/` and, of such kinds, in `words/kind_sizes.py`;
+data is in `core/guidance/builtin/nouns/` and, of such kinds, in `words/tables/kind_sizes.py`;
 `python -m core.prior.masses` writes this page, a test compares it.
 """
 

@@ -9,7 +9,7 @@ from torch import Tensor
 
 from core.guidance.builtin.palette import painted
 from core.guidance.builtin.patterns import Place
-from core.guidance.builtin.words.accents import Accent
+from core.guidance.builtin.words.grammar.accents import Accent
 from core.ops import srgb_to_linear
 from core.prior.draw import Draw
 from core.prior.natural_patterns import ALL_PATTERNS

@@ -20,7 +20,7 @@ from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.solid import FORMS
 from core.guidance.builtin.solid_net import PARTS
 from core.guidance.builtin.stretch import known_wider
-from core.guidance.builtin.words.part_tables import OPTIONS
+from core.guidance.builtin.words.tables.part_tables import OPTIONS
 from core.io.atomic import atomic_file
 from core.prior.data import ADJECTIVES, NO_PART_STATE, NOUNS, PART_STATES
 from core.prior.draw import Draw

@@ -27,7 +27,7 @@ from core.guidance.builtin.network import UNetConfig
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.weights import load_tensors, save_weights, write_tensors
-from core.guidance.builtin.words.lexicon import SLOTS
+from core.guidance.builtin.words.grammar.lexicon import SLOTS
 from core.guidance.sds import add_noise
 from core.prior.colored import CAPTION_SLOTS
 from core.prior.data import (

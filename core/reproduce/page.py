@@ -24,7 +24,7 @@ What the paper shows is described in words: its pictures are not part of this pr
 
 Not made again: the comparisons with DreamFusion, Magic3D, Latent-NeRF, Text2Mesh and CLIP-Mesh
 (Figs. 7, 9 and 10), which are other projects' results; the overview (Fig. 3); the edge padding
-(Fig. 5), which is a test here (`core/tests/test_padding.py`).
+(Fig. 5), which is a test here (`core/tests/texture/test_padding.py`).
 
 Numbers, where the paper has none: *retrieval* is the noun's place among the prior's nouns by
 Chamfer distance to their held-out shapes (in brackets the nearest, where it is another); *colour

@@ -6,10 +6,10 @@ from functools import cache
 import torch
 
 from core.guidance.builtin.composition.composed import Composed
-from core.guidance.builtin.composition.copies import copies_of
-from core.guidance.builtin.composition.placement import Body, Placement
+from core.guidance.builtin.composition.placing.copies import copies_of
+from core.guidance.builtin.composition.placing.placement import Body, Placement
 from core.guidance.builtin.guidance import BuiltinGuidance, load_builtin
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.phrases.slots import Words
 
 
 @cache

@@ -20,7 +20,7 @@ from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
 from core.guidance.builtin.composition.composed import Composed
-from core.guidance.builtin.composition.wearing import freed
+from core.guidance.builtin.composition.placing.wearing import freed
 from core.guidance.builtin.counted_solid import CountedSolid
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
@@ -48,10 +48,10 @@ from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.surfaces import surfaces_of
 from core.guidance.builtin.weights import load_weights
-from core.guidance.builtin.words.bouquets import in_bunch
-from core.guidance.builtin.words.glassware import glazed
-from core.guidance.builtin.words.lexicon import SLOTS, Vocabulary
-from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
+from core.guidance.builtin.words.companions.bouquets import in_bunch
+from core.guidance.builtin.words.companions.glassware import glazed
+from core.guidance.builtin.words.grammar.lexicon import SLOTS, Vocabulary
+from core.guidance.builtin.words.phrases.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import (
     Guidance,

@@ -12,8 +12,8 @@ from torch import Tensor
 from core.guidance.builtin.palette import SWATCHES, painted, swatches
 from core.guidance.builtin.part_map import PARTS
 from core.guidance.builtin.patterns import RAINBOW_COLORS, Laid
-from core.guidance.builtin.words.lexicon import SLOTS
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.grammar.lexicon import SLOTS
+from core.guidance.builtin.words.phrases.slots import Words
 
 SURFACE = 7  # channels: normals, coverage, points
 CHANNELS = SURFACE + SWATCHES

@@ -13,9 +13,9 @@ from core.geometry.parts.forms import Forms
 from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.bodywork import bodywork_of
-from core.guidance.builtin.composition.clothing import Garment
-from core.guidance.builtin.composition.placement import EYES
-from core.guidance.builtin.composition.vessel import Vessel
+from core.guidance.builtin.composition.clothes.clothing import Garment
+from core.guidance.builtin.composition.glass.vessel import Vessel
+from core.guidance.builtin.composition.placing.placement import EYES
 from core.guidance.builtin.counted_solid import CountedSolid, counted_solid
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
@@ -39,10 +39,10 @@ from core.guidance.builtin.slender import slender_parts
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.stretch import AS_IT_IS, known_wider
 from core.guidance.builtin.surfaces import ranges_of, surface_of
-from core.guidance.builtin.words.emblems import METALS, Emblem
-from core.guidance.builtin.words.moods import has_face, is_lively
-from core.guidance.builtin.words.slots import GEOMETRY_SLOTS, Words
-from core.guidance.builtin.words.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
+from core.guidance.builtin.words.phrases.emblems import METALS, Emblem
+from core.guidance.builtin.words.phrases.moods import has_face, is_lively
+from core.guidance.builtin.words.phrases.slots import GEOMETRY_SLOTS, Words
+from core.guidance.builtin.words.tables.words import PART_LENGTHS, PART_SCALES, PART_WIDTHS
 from core.guidance.guidance import Area
 
 SOFT = 0.01  # flat fraction of a part's surface where it is not known

@@ -15,8 +15,10 @@ from core.guidance.builtin.markings.table import MARKINGS
 from core.guidance.builtin.nouns import NOUNS
 from core.guidance.builtin.patterns import LINES, RAINBOW_COLORS, natural_second
 from core.guidance.builtin.substances import ROUGHNESS, natural_kind
-from core.guidance.builtin.words.accents import Accent
-from core.guidance.builtin.words.colors import (
+from core.guidance.builtin.words.grammar.accents import Accent
+from core.guidance.builtin.words.grammar.lexicon import SLOTS
+from core.guidance.builtin.words.grammar.part_names import ASKED
+from core.guidance.builtin.words.tables.colors import (
     COLOR_VALUES,
     DARK,
     LIGHT,
@@ -27,11 +29,9 @@ from core.guidance.builtin.words.colors import (
     rainbow_tone,
     toned,
 )
-from core.guidance.builtin.words.lexicon import SLOTS
-from core.guidance.builtin.words.living import is_animal
-from core.guidance.builtin.words.part_names import ASKED
-from core.guidance.builtin.words.part_tables import FRAMES, WHOLE
-from core.guidance.builtin.words.words import ALSO_COLORS, STRIPED_PARTS, WITH_EYES
+from core.guidance.builtin.words.tables.living import is_animal
+from core.guidance.builtin.words.tables.part_tables import FRAMES, WHOLE
+from core.guidance.builtin.words.tables.words import ALSO_COLORS, STRIPED_PARTS, WITH_EYES
 
 # Accents of one group do not take a material of the other group that is stated for the whole.
 SOFT = ("fabric", "paper", "leather", "rubber", "felt", "wicker", "feathers")

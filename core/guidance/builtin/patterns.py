@@ -14,7 +14,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
-from core.guidance.builtin.words.colors import RAINBOW, Color
+from core.guidance.builtin.words.tables.colors import RAINBOW, Color
 
 
 class Place(NamedTuple):

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 
 from core.errors import UserError
-from core.guidance.builtin.words.glassware import usual_of_whole
-from core.guidance.builtin.words.measures import set_apart
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.companions.glassware import usual_of_whole
+from core.guidance.builtin.words.grammar.measures import set_apart
+from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.builtin.words.vocabulary import parse
 
 

@@ -8,8 +8,8 @@ from core.appearance.material_ranges import MaterialRanges
 from core.guidance.builtin.palette import FINISHES, Finish, Painted, darker, painted
 from core.guidance.builtin.substances import BURNING, UNWORN, lights
 from core.guidance.builtin.variants import ALL_CLEAR, BUILDINGS, VARIANTS, Variant, split_tone
-from core.guidance.builtin.words.colors import Color, luma, toned
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.phrases.slots import Words
+from core.guidance.builtin.words.tables.colors import Color, luma, toned
 from core.guidance.guidance import Area, Surface
 from core.ops import srgb_to_linear
 

@@ -6,7 +6,7 @@ and without a stated colour its own colour; roughness too.
 
 from typing import NamedTuple
 
-from core.guidance.builtin.words.colors import OF_MATERIALS, Color
+from core.guidance.builtin.words.tables.colors import OF_MATERIALS, Color
 
 
 class Variant(NamedTuple):

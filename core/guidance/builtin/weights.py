@@ -20,7 +20,7 @@ from torch.overrides import TorchFunctionMode
 from core.guidance.builtin.network import UNet, UNetConfig
 from core.guidance.builtin.offered import read_metadata
 from core.guidance.builtin.solid_net import SolidNetConfig
-from core.guidance.builtin.words.lexicon import Vocabulary
+from core.guidance.builtin.words.grammar.lexicon import Vocabulary
 from core.io.atomic import atomic_file
 
 Net = TypeVar("Net", bound=nn.Module)

@@ -21,16 +21,16 @@ from core.geometry.parts.components import Component
 from core.geometry.parts.forms import Forms
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
-from core.guidance.builtin.composition.arranged import arranged
-from core.guidance.builtin.composition.clothing import dressed
-from core.guidance.builtin.composition.enclosing import enclosed, inside_of
-from core.guidance.builtin.composition.placement import Body, Placement
-from core.guidance.builtin.composition.poses import in_poses
-from core.guidance.builtin.composition.posing import in_one, points_of, seen_from
-from core.guidance.builtin.composition.sitting import seated
+from core.guidance.builtin.composition.clothes.clothing import dressed
+from core.guidance.builtin.composition.glass.enclosing import enclosed, inside_of
+from core.guidance.builtin.composition.placing.arranged import arranged
+from core.guidance.builtin.composition.placing.placement import Body, Placement
+from core.guidance.builtin.composition.poses.posed import in_poses
+from core.guidance.builtin.composition.poses.posing import in_one, points_of, seen_from
+from core.guidance.builtin.composition.poses.sitting import seated
 from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.surfaces import unseen
-from core.guidance.builtin.words.companions import Relation
+from core.guidance.builtin.words.companions.search import Relation
 from core.guidance.guidance import Guidance, Predictions, PromptedGuidance, Surface, Views
 
 ALONE = (

@@ -11,7 +11,7 @@ from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.solid import Solid
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.guidance import Predictions, Surface, Views
 
 

@@ -27,7 +27,7 @@ from core.guidance.builtin.cutting.places import (
 from core.guidance.builtin.palette import Finish, Painted
 from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL, ROUGHNESS, WOOD
 from core.guidance.builtin.surfaces import ranges_of, surface_of
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.guidance import Area, Surface
 
 # Training units beyond the cut face: the inside's areas are there, too, whatever its errors are.

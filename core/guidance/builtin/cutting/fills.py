@@ -10,7 +10,7 @@ from torch import Tensor
 
 from core.guidance.builtin.cutting.places import HOLLOW, Extent
 from core.guidance.builtin.substances import CLASS_OF, METAL, ROUGHNESS
-from core.guidance.builtin.words.colors import Color
+from core.guidance.builtin.words.tables.colors import Color
 
 WHITE = (1.0, 1.0, 1.0)
 FACE_WAY = (0.5, -0.866, 0.0)  # towards which a halved fruit's face looks

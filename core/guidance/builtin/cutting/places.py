@@ -21,7 +21,7 @@ from core.geometry.tools import (
     outside,
     rough,
 )
-from core.guidance.builtin.words.cuts import CutWord
+from core.guidance.builtin.words.phrases.cuts import CutWord
 
 # Degrees around the vertical, counter-clockwise from the front: of a bite, of one in what is
 # flat, of a bitten-off half, of a cut face, of a slice's middle.

@@ -11,8 +11,8 @@ from torch import Tensor
 from core.guidance.builtin.markings.margins import Margin, Pair, all_of, strokes
 from core.guidance.builtin.markings.overlay import Overlay
 from core.guidance.builtin.palette import EYES, Painted
-from core.guidance.builtin.words.colors import luma
-from core.guidance.builtin.words.moods import Mood
+from core.guidance.builtin.words.phrases.moods import Mood
+from core.guidance.builtin.words.tables.colors import luma
 
 MOUTH = "mouth"
 CELLS = 40  # of a lattice over the box of a feature's part, along each side

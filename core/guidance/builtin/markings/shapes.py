@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw
 from torch import Tensor
 
 from core.guidance.builtin.markings.stencils import margins_of, read
-from core.guidance.builtin.words.moods import MOODS, Mood
+from core.guidance.builtin.words.phrases.moods import MOODS, Mood
 
 SIDE = 384  # pixels
 ROOM = 1.15  # from the middle to the picture's border

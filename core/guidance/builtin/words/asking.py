@@ -6,8 +6,8 @@ Standard library only.
 
 import re
 
-from core.guidance.builtin.words.roles import first_names
-from core.guidance.builtin.words.tokens import PERSON
+from core.guidance.builtin.words.companions.roles import first_names
+from core.guidance.builtin.words.grammar.tokens import PERSON
 
 _ARTICLE = r"(?=(?:an?|some|one|two|three)\s)"
 _NEXT = r"(?=(?:an?|the|some|one|two|three|my|me an?)\s)"

@@ -2,9 +2,9 @@
 
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
-from core.guidance.builtin.words.moods import MOODS
-from core.guidance.builtin.words.part_tables import OPTIONS
-from core.guidance.builtin.words.styles import OFFERED
+from core.guidance.builtin.words.phrases.moods import MOODS
+from core.guidance.builtin.words.phrases.styles import OFFERED
+from core.guidance.builtin.words.tables.part_tables import OPTIONS
 
 ADJECTIVES = {"Shapes": "shape", "Colors": "color", "Materials": "material", "Patterns": "pattern"}
 

@@ -4,7 +4,7 @@ Standard library only.
 """
 
 from core.errors import UserError
-from core.guidance.builtin.words.slots import Words
+from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.builtin.words.vocabulary import parse, words_report
 
 

@@ -19,27 +19,29 @@ from core.errors import UserError
 from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.offered import offered_words
 from core.guidance.builtin.words.asking import asked_for
-from core.guidance.builtin.words.bouquets import as_bouquet, in_bunches
-from core.guidance.builtin.words.companion_fit import Found, Read, Reader
-from core.guidance.builtin.words.companion_openers import ends_in_name, is_doing
-from core.guidance.builtin.words.companion_words import ON_BODIES, is_dressed
-from core.guidance.builtin.words.companions import MOST, companions_in, one_more
-from core.guidance.builtin.words.cuts import SLICE_SIZE, cut_of, in_cut_words
-from core.guidance.builtin.words.emblems import emblems_in, plural
-from core.guidance.builtin.words.fillings import in_a_vessel
-from core.guidance.builtin.words.findings import Findings
-from core.guidance.builtin.words.gathering import in_a_row
-from core.guidance.builtin.words.glassware import usual_of_whole
-from core.guidance.builtin.words.idioms import in_known_words
-from core.guidance.builtin.words.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
-from core.guidance.builtin.words.made_of import as_made_of
-from core.guidance.builtin.words.moods import mood_in
-from core.guidance.builtin.words.offspring import parents_named
-from core.guidance.builtin.words.part_names import looks_of, own_name
-from core.guidance.builtin.words.passives import as_phrase, made_active
-from core.guidance.builtin.words.pictures import of_no_picture
-from core.guidance.builtin.words.poses import in_a_word, pose_of
-from core.guidance.builtin.words.prompt_errors import (
+from core.guidance.builtin.words.companions.bouquets import as_bouquet, in_bunches
+from core.guidance.builtin.words.companions.fillings import in_a_vessel
+from core.guidance.builtin.words.companions.fit import Found, Read, Reader
+from core.guidance.builtin.words.companions.gathering import in_a_row
+from core.guidance.builtin.words.companions.glassware import usual_of_whole
+from core.guidance.builtin.words.companions.joined import with_companions, without_look
+from core.guidance.builtin.words.companions.known_as import ON_BODIES, is_dressed
+from core.guidance.builtin.words.companions.offspring import parents_named
+from core.guidance.builtin.words.companions.passives import as_phrase, made_active
+from core.guidance.builtin.words.companions.rephrasing import snake_first, tree_first, turned_around
+from core.guidance.builtin.words.companions.roles import first_names, undisguised
+from core.guidance.builtin.words.companions.search import MOST, companions_in, one_more
+from core.guidance.builtin.words.companions.toppings import (
+    in_toppings,
+    with_its_liquid,
+    without_replaced,
+)
+from core.guidance.builtin.words.grammar.findings import Findings
+from core.guidance.builtin.words.grammar.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
+from core.guidance.builtin.words.grammar.made_of import as_made_of
+from core.guidance.builtin.words.grammar.openers import ends_in_name, is_doing
+from core.guidance.builtin.words.grammar.part_names import looks_of, own_name
+from core.guidance.builtin.words.grammar.prompt_errors import (
     ELSEWHERE,
     PromptError,
     TwoWordsError,
@@ -47,20 +49,18 @@ from core.guidance.builtin.words.prompt_errors import (
     known_things,
     unknown_error,
 )
-from core.guidance.builtin.words.reading import Reading
-from core.guidance.builtin.words.rephrasing import snake_first, tree_first, turned_around
-from core.guidance.builtin.words.roles import first_names, undisguised
-from core.guidance.builtin.words.slots import Words
-from core.guidance.builtin.words.sorts import sort_of
-from core.guidance.builtin.words.styles import style_of
-from core.guidance.builtin.words.toppings import (
-    in_toppings,
-    with_its_liquid,
-    without_replaced,
-)
-from core.guidance.builtin.words.with_companions import with_companions, without_look
-from core.guidance.builtin.words.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
-from core.guidance.builtin.words.written import apart_from_texts
+from core.guidance.builtin.words.grammar.reading import Reading
+from core.guidance.builtin.words.idioms import in_known_words
+from core.guidance.builtin.words.phrases.cuts import SLICE_SIZE, cut_of, in_cut_words
+from core.guidance.builtin.words.phrases.emblems import emblems_in, plural
+from core.guidance.builtin.words.phrases.moods import mood_in
+from core.guidance.builtin.words.phrases.pictures import of_no_picture
+from core.guidance.builtin.words.phrases.poses import in_a_word, pose_of
+from core.guidance.builtin.words.phrases.slots import Words
+from core.guidance.builtin.words.phrases.styles import style_of
+from core.guidance.builtin.words.phrases.written import apart_from_texts
+from core.guidance.builtin.words.tables.sorts import sort_of
+from core.guidance.builtin.words.tables.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 
 W_SLASH = re.compile(r"(?<!\w)w/ ?(?!o\b)", re.IGNORECASE)
 DENIM_BLUE = "denim blue"

@@ -1,5 +1,4 @@
-"""An emblem of a prompt (``core.guidance.builtin.words.emblems``) on a thing: its place and its
-colour."""
+"""An emblem of a prompt (``words.phrases.emblems``) on a thing: its place and its colour."""
 
 import colorsys
 import textwrap
@@ -21,11 +20,11 @@ from core.guidance.builtin.markings.shapes import shape_margin
 from core.guidance.builtin.markings.stencils import lettering, text_size
 from core.guidance.builtin.palette import FINISHES, PAINT, Painted, companion
 from core.guidance.builtin.substances import CLASS_OF, GLASS, METAL
-from core.guidance.builtin.words.colors import Color, color_value
-from core.guidance.builtin.words.emblems import METALS, STRIPES, Emblem
-from core.guidance.builtin.words.living import is_creature
-from core.guidance.builtin.words.moods import MOODS
-from core.guidance.builtin.words.part_names import own_names
+from core.guidance.builtin.words.grammar.part_names import own_names
+from core.guidance.builtin.words.phrases.emblems import METALS, STRIPES, Emblem
+from core.guidance.builtin.words.phrases.moods import MOODS
+from core.guidance.builtin.words.tables.colors import Color, color_value
+from core.guidance.builtin.words.tables.living import is_creature
 
 FULL = 0.8  # fraction of its place that a text or a shape fills
 BOLD = 0.03  # of a capital's height: how much wider its strokes are than the font's

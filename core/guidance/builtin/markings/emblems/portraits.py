@@ -17,7 +17,7 @@ from torch import Tensor
 from core.geometry.init_shape import sample_surface
 from core.guidance.builtin.markings.margins import Margin
 from core.guidance.builtin.markings.stencils import margins_of, read
-from core.guidance.builtin.words.colors import Color
+from core.guidance.builtin.words.tables.colors import Color
 
 AZIMUTH, ELEVATION = math.radians(28), math.radians(10)
 SIDE, FINER = 128, 3  # pixels, and by how much the margins' pictures are finer

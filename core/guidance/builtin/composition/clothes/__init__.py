@@ -1,0 +1,1 @@
+"""Clothes, cut to the surface of their wearer."""

@@ -1,0 +1,1 @@
+"""The place of each thing: on, in, worn, held, in a row."""

@@ -1,0 +1,1 @@
+"""Poses: sitting, riding, running, lying."""

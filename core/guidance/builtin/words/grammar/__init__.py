@@ -1,0 +1,1 @@
+"""The words of one thing: names, looks, numbers, parts. Standard library only."""

@@ -1,0 +1,1 @@
+"""What phrases of their own state: emblems, poses, moods, cuts, styles. Standard library only."""

@@ -1,0 +1,1 @@
+"""What is known about words, as data. Standard library only."""

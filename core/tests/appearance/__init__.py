@@ -1,0 +1,1 @@
+"""Tests: materials and light."""

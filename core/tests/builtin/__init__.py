@@ -1,0 +1,1 @@
+"""Tests: what the built-in prior draws, composes and paints."""

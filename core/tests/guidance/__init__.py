@@ -1,0 +1,1 @@
+"""Tests: distillation and Stable Diffusion."""

@@ -1,0 +1,1 @@
+"""Tests: the command line, the environment and the tree."""

@@ -1,0 +1,1 @@
+"""Tests: the training of the built-in prior."""

@@ -1,0 +1,1 @@
+"""Tests: rasterizing and gradients."""

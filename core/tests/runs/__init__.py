@@ -1,0 +1,1 @@
+"""Tests: runs, their files and faults."""

@@ -1,0 +1,1 @@
+"""Tests: charts, baking and detail."""

@@ -1,0 +1,1 @@
+"""Tests: what is understood of a prompt."""
