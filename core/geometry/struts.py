@@ -19,6 +19,7 @@ MOST_STRUTS = 8  # rubble of more components than these join is left in componen
 # A gap is even where it is no more than so much wider than at its narrowest, times and training
 # units, and long from so many training units and widths on.
 EVEN, SLACK, LONG, LONGER = 1.2, 0.02, 0.5, 8.0
+ASKED = 500  # vertices that show how far off the others may be
 POSTS = (0.12, 0.88)  # of its length, where the two struts are
 OFFSET_WEIGHT = (
     0.25  # of the distance to the line of the centroids, what counts as length of a strut
@@ -54,14 +55,21 @@ def struts(component: Float[np.ndarray, "m 3"], rest: Float[np.ndarray, "n 3"]) 
     Else the shortest; where many are about as short, as between a sail and its deck, the one next
     to the line between the centroids.
     """
-    # For each vertex of the component its shortest strut.
-    distance, nearest = (np.asarray(found) for found in KDTree(rest).query(component))
-    middle = (component + rest[nearest]) / 2
     start, along = component.mean(0), rest.mean(0) - component.mean(0)
     along = along / max(float(np.linalg.norm(along)), 1e-9)
-    offset = np.linalg.norm(np.cross(middle - start, along), axis=1)
-    best = [int((distance + OFFSET_WEIGHT * offset).argmin())]
-    gap = float(distance.min())
+    tree, within = KDTree(rest), np.inf
+    # For each vertex of the component its shortest strut; what some of them show to be too far off
+    # is not looked at.
+    for some in (component[:: -(-len(component) // ASKED)], component):
+        distance, nearest = map(np.asarray, tree.query(some, distance_upper_bound=within))
+        component = some[near := np.isfinite(distance)]
+        distance, nearest = distance[near], nearest[near]
+        middle = (component + rest[nearest]) / 2
+        offset = np.linalg.norm(np.cross(middle - start, along), axis=1)
+        length = distance + OFFSET_WEIGHT * offset
+        gap = float(distance.min())
+        within = 1.001 * max(EVEN * gap + SLACK, float(length.min()))
+    best = [int(length.argmin())]
     even = np.flatnonzero(distance <= EVEN * gap + SLACK)
     center = component[even].mean(0)
     place = (component[even] - center) @ np.linalg.svd(

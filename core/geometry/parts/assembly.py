@@ -274,16 +274,19 @@ class KnownParts:
 
     def _off(self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"]) -> Float[Tensor, " n"]:
         """The distance of each point from the exact surface of its part."""
-        return self.near(points).gather(1, part[:, None])[:, 0]
+        return self.near(points, part).gather(1, part[:, None])[:, 0]
 
     @property
     def is_thinner(self) -> bool:
         """Whether any component is thinner than it is drawn."""
         return any(self.forms.thickness(one.place.part) != 1 for one in self.components)
 
-    def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+    def near(
+        self, points: Float[Tensor, "n 3"], part: Int[Tensor, " n"] | None = None
+    ) -> Float[Tensor, "n p"]:
         """The parts' distances from their exact surfaces, of points that are near these; what is
-        farther off than ``NEAR`` may come out as ``EXTENT``."""
+        farther off than ``NEAR`` may come out as ``EXTENT``, and what is not of each point's
+        ``part``, where that is given."""
         found = torch.full((len(points), len(self.forms.flat)), EXTENT).to(points)
         wider = points.new_tensor(self.wider)
         points, reach = points * wider, NEAR * wider
@@ -291,6 +294,8 @@ class KnownParts:
             verts, _ = self._surface(index)
             low, high = verts.amin(0).to(points) - reach, verts.amax(0).to(points) + reach
             here = ((points > low) & (points < high)).all(1)
+            if part is not None:
+                here &= part == component.place.part
             if not here.any():
                 continue
             column = found[:, component.place.part]
