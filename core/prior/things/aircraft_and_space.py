@@ -30,7 +30,9 @@ LEAN_DEG = 23.0  # of a planet's axis, as the markings' (``markings/forms/globes
 
 
 def airplane(draw: Draw) -> Parts:
-    """A plump airliner: swept wings, a great engine hung under each, portholes, a tall fin."""
+    """A plump airliner: swept wings, a great engine under each, portholes, a tall fin.
+
+    No part touches itself: fin, tailplanes and engines are drawn each as one exact shape."""
     r, span, sweep = draw(0.29, 0.31), draw(1.24, 1.32), draw(0.46, 0.54)
     nose, tail, half, low = -1.3, draw(1.26, 1.32), 0.08, -0.17
     out = [(0.0, 0.0), (0.36, 0.02), (0.76, 0.16), (0.95, 0.38), (1.0, 0.6), (1.0, 1.2), (1.0, 1.7)]
@@ -39,12 +41,10 @@ def airplane(draw: Draw) -> Parts:
     def fuselage(more: float) -> Solid:
         return tilted(turned(lathe(shape, more), 0, 180), 90, (0, nose, 0))
 
-    wing = [(0, -0.44), (r, -0.4), (span, sweep), (span, sweep + 0.26), (r + 0.2, 0.3), (0, 0.3)]
-    rear = [(0, tail - 0.5), (0.6, tail - 0.14), (0.6, tail + 0.1), (0, tail - 0.06)]
-    fin = [(tail - 0.74, 0.1), (tail - 0.7, r - 0.04), (tail - 0.2, r + 0.6),
-           (tail + 0.12, r + 0.6), (tail - 0.06, 0.1)]  # fmt: skip
-    x, y, z = span * 0.43, -0.2, low - 0.44
-    barrel = [(0.19, 0.0), (0.225, 0.06), (0.225, 0.3), (0.14, 0.62)]
+    wing = [(0, -0.46), (span, sweep), (span, sweep + 0.26), (0, 0.34)]
+    rear = [(0.14, tail - 0.56), (0.64, tail - 0.18), (0.64, tail + 0.06), (0.14, tail - 0.14)]
+    fin = [(tail - 0.8, 0.2), (tail - 0.26, r + 0.62), (tail + 0.06, r + 0.62), (tail - 0.1, 0.1)]
+    x, y, z = span * 0.43, -0.16, low - half - 0.17
     screen = [(nose + 0.18, 0.05), (nose + 0.46, 0.05), (nose + 0.54, r + 0.1),
               (nose + 0.32, r + 0.1)]  # fmt: skip
     panes = (capsule((r, v, 0.04), (r, v, 0.14), 0.08) for v in (-0.52, -0.26, 0.0, 0.26, 0.52))
@@ -52,14 +52,8 @@ def airplane(draw: Draw) -> Parts:
         "body": fuselage(0.0),
         "wings": both(prism(wing, 2, half, low)),
         "windows": join(within(fuselage(0.08), prism(screen, 0, 1)), both(join(*panes))),
-        "engines": both(
-            join(
-                cut(tilted(turned(lathe(barrel), 0, 180), 90, (x, y - 0.3, z)),
-                    tube((x, y - 1, z), (x, y - 0.18, z), 0.13)),
-                box((x, y + 0.04, low - 0.2), (0.07, 0.16, 0.18)),
-            )
-        ),
-        "tail": join(both(prism(rear, 2, half, 0.06)), prism(fin, 0, half)),
+        "engines": both(tube((x, y - 0.36, z), (x, y + 0.34, z), 0.2, 0.05)),
+        "tail": join(both(prism(rear, 2, half, -0.1)), prism(fin, 0, half)),
     }  # fmt: skip
 
 
@@ -68,22 +62,21 @@ def biplane(draw: Draw) -> Parts:
     span, chord, r, tail = draw(1.2, 1.35), draw(0.26, 0.31), draw(0.22, 0.26), draw(1.1, 1.25)
     z, gap, nose = 0.62, draw(0.62, 0.7), -0.72
     low, top = z - 0.12, z - 0.12 + gap
-    fin = [(tail - 0.34, z), (tail - 0.14, z + 0.5), (tail + 0.08, z + 0.5), (tail + 0.08, z)]
-    flat = [(0, tail - 0.32), (0.42, tail - 0.16), (0.42, tail + 0.06), (0, tail + 0.06)]
+    fin = [(tail - 0.42, z + 0.12), (tail - 0.16, z + 0.54), (tail + 0.1, z + 0.54),
+           (tail + 0.02, z + 0.09)]  # fmt: skip
+    rear = [(0.0, tail - 0.36), (0.46, tail - 0.18), (0.46, tail + 0.06), (0.0, tail - 0.02)]
+    hull = [(r, nose + 0.2), (r, 0.1), (0.12, tail)]
     strut = [box((span * 0.66, v, (low + top) / 2), (0.065, 0.065, gap / 2)) for v in (-0.5, -0.16)]
     cabane = box((0.13, -0.33, (z + top) / 2), (0.065, 0.065, (top - z) / 2))
     blade = box((0.28, 0, 0), (0.28, 0.1, 0.06))
     wheel = 0.2
     return {
-        "body": join(
-            tube((0, nose + 0.2, z), (0, 0.1, z), r),
-            taper((0, 0.1, z), (0, tail, z + 0.04), r, 0.09),
-            prism(fin, 0, 0.07),
-            both(prism(flat, 2, 0.065, z + 0.05)),
-        ),
+        "body": moved(turned(lathe([(u, -v) for u, v in reversed(hull)]), 0, 90), (0, 0, z)),
         "wings": join(
             box((0, -0.33, low), (span * 0.92, chord, 0.075), 0.03),
             box((0, -0.33, top), (span, chord, 0.075), 0.03),
+            prism(fin, 0, 0.075),
+            prism(mirrored(rear), 2, 0.075, z - 0.07),
         ),
         "struts": both(
             join(*strut, cabane, box((0.28, -0.42, low / 2 + 0.1), (0.065, 0.09, low / 2 - 0.06)))
@@ -116,11 +109,7 @@ def fighter_jet(draw: Draw) -> Parts:
     fin = [(-0.46, 0.0), (0.02, up), (0.3, up), (0.24, 0.0)]
     hull = [(r * 0.9, -tail), (r, 0.3), (r * 0.86, 0.7), (r * 0.52, nose - 0.24), (0.03, nose)]
     at = sweep + 0.2
-    missile = join(
-        capsule((span, at - 0.52, 0), (span, at + 0.3, 0), 0.115),
-        box((span, at + 0.3, 0), (0.24, 0.12, 0.07)),
-        box((span, at + 0.3, 0), (0.07, 0.12, 0.24)),
-    )
+    missile = capsule((span, at - 0.5, 0), (span, at + 0.3, 0), 0.11)
     return {
         # Its axis, upright, to lie along y, the nose to the front.
         "body": join(

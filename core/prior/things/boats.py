@@ -70,7 +70,7 @@ def rowboat(draw: Draw) -> Parts:
 
 
 def canoe(draw: Draw) -> Parts:
-    """A slim open hull, its ends swept up; a wooden rail, two seats, a paddle laid across."""
+    """A slim open hull, its ends swept up; two seats, a paddle laid across."""
     x, y, high, rise = draw(0.46, 0.52), draw(1.32, 1.44), draw(0.44, 0.5), draw(0.44, 0.54)
     bow = [(0.07, y + 0.12), (x * 0.4, y * 0.8), (x * 0.82, y * 0.42), (x, 0.0)]
     plan = prism(mirrored(smooth_curve([*bow, *((u, -v) for u, v in bow[-2::-1])])), 2, 3)
@@ -80,22 +80,13 @@ def canoe(draw: Draw) -> Parts:
                           (y * 0.78, high + rise * 0.46), (y * 0.98, high + rise)])  # fmt: skip
     stem = smooth_curve([(y, high + rise * 0.4), (y * 0.95, high * 0.6), (y * 0.84, 0.16),
                          (y * 0.62, 0.02), (0.0, 0.0)])  # fmt: skip
-    band = [(u * 1.03, v - 0.1) for u, v in reversed(sheer)]
     well = within(grown(plan, -0.14), box((0, 0, 1.12), (x, y * 0.7, 1)))
-    rail = cut(grown(plan, 0.05), within(grown(plan, -0.17), box((0, 0, 0), (x, y * 0.67, 3))))
-    blade = [(0.5, -0.1), (0.66, -0.19), (1.02, -0.19), (1.1, -0.1)]
-    paddle = join(
-        capsule((-0.8, 0, 0), (0.6, 0, 0), 0.1),
-        capsule((-0.8, -0.14, 0), (-0.8, 0.14, 0), 0.1),
-        prism([*blade, *((u, -v) for u, v in reversed(blade))], 2, 0.09),
-    )
+    paddle = [(-0.86, -0.09), (0.5, -0.09), (0.64, -0.2), (1.06, -0.2)]
+    paddle = [*paddle, *((u, -v) for u, v in reversed(paddle))]
     return {
         "hull": cut(within(within(plan, bilge), prism(mirrored([*sheer, *stem]), 0, 2)), well),
-        "seats": join(
-            within(rail, prism(mirrored([*((u * 1.03, v + 0.1) for u, v in sheer), *band]), 0, 2)),
-            both(box((0, y * 0.4, high - 0.06), (x * 0.7, 0.15, 0.09), 0.02), 1),
-        ),
-        "paddle": moved(turned(paddle, 2, draw(-36, -28)), (-0.08, -0.02, high + 0.14)),
+        "seats": both(box((0, y * 0.4, high - 0.06), (x * 0.66, 0.15, 0.09)), 1),
+        "paddle": moved(turned(prism(paddle, 2, 0.09), 2, draw(-36, -28)), (0, 0, high + 0.14)),
     }
 
 
@@ -235,9 +226,9 @@ def submarine(draw: Draw) -> Parts:
     top, tower = r + draw(0.34, 0.44), draw(0.28, 0.36)
     ports = [(k - (count - 1) / 2) * 0.48 - 0.1 for k in range(count)]
     scope = [((0, 0, top - 0.1), (0, 0, top + 0.4)), ((0, 0, top + 0.4), (0, -0.24, top + 0.4))]
-    blade = box((0.2, 0, 0), (0.2, 0.12, 0.07), 0.03)
-    screw = turned(join(around(4, blade), tube((0, 0, -0.2), (0, 0, 0.1), 0.12)), 0, 90)
-    rudder = [(y * 0.6, 0.0), (y + 0.1, 0.42), (y + 0.28, 0.42), (y + 0.1, 0.0)]
+    blade = box((0.21, 0, 0), (0.21, 0.12, 0.08))
+    screw = turned(join(around(4, blade), tube((0, 0, -0.08), (0, 0, 0.08), 0.15)), 0, 90)
+    rudder = [(y * 0.5, 0.2), (y - 0.14, 0.5), (y + 0.06, 0.5), (y - 0.02, 0.18)]
     return {
         "hull": egg((0, 0, 0), (r, y + 0.15, r)),
         "tower": join(
@@ -249,7 +240,7 @@ def submarine(draw: Draw) -> Parts:
         "periscope": rods(0.1, *scope),
         "fins": join(
             prism(rudder, 0, 0.08),
-            both(prism([(0.0, y * 0.6), *[(v, u) for u, v in rudder[1:]]], 2, 0.08)),
+            both(prism([(v, u) for u, v in rudder], 2, 0.08)),
         ),
         "screw": moved(screw, (0, y + 0.2, 0)),
     }

@@ -357,7 +357,7 @@ def bee(draw: Draw) -> Parts:
 
 
 def butterfly(draw: Draw) -> Parts:
-    """Four wings with dark edges, raised a little, and two feelers; it leans forwards."""
+    """Four wings with dark edges, raised a little, and two feelers."""
     span, lift, low = draw(1.0, 1.2), draw(15, 35), draw(0.65, 0.85)
     front = [(0.0, -0.1), (0.4, -0.62), (span * 0.8, -0.85), (span, -0.72),
              (span * 0.92, -0.3), (span * 0.7, 0.02), (0.0, 0.14)]  # fmt: skip
@@ -370,18 +370,16 @@ def butterfly(draw: Draw) -> Parts:
 
     def raised(half: float, wings: list[list[tuple[float, float]]]) -> Solid:
         flat = join(*(prism(smooth_curve(wing, 3), 2, half) for wing in wings))
-        return both(moved(turned(flat, 1, -lift), (0.04, 0, 0)))
+        return both(moved(turned(flat, 1, -lift), (0.1, 0, 0)))
 
-    feeler = limb([(0.08, -0.62, 0.06), (0.2, -0.85, 0.28), (0.34, -1.0, 0.42)], 0.08, 0.075)
-    trunk = join(taper((0, -0.3, 0.03), (0, 0.7, -0.04), 0.17, 0.1), ball((0, -0.52, 0.04), 0.17))
-    parts = {
+    feeler = capsule((0.06, -0.56, 0.1), (0.32, -0.98, 0.42), 0.075)
+    trunk = join(egg((0, 0.12, 0), (0.17, 0.66, 0.17)), ball((0, -0.54, 0.04), 0.18))
+    return {
         "wings": raised(0.1, spots),
         "edges": raised(0.075, [front, hind]),
         "body": join(trunk, both(feeler)),
         "eyes": both(ball((0.13, -0.6, 0.08), 0.08)),
     }
-    lean = draw(8, 28)
-    return {name: tilted(solid, lean, (0, 0, 0.6)) for name, solid in parts.items()}
 
 
 COMMON_WILD_ANIMALS_SEA_AND_AIR = {

@@ -217,13 +217,14 @@ def grand_piano(draw: Draw) -> Parts:
         ),
         "keys": box((0, -y + 0.3, low + 0.18), (u + 0.01, 0.28, 0.08), 0.01),
         "black keys": join(*black),
-        "lid": join(moved(lid, (-x, 0, high + 0.08)), capsule(*prop, 0.075)),
+        "lid": moved(lid, (-x, 0, high + 0.08)),
         "strings": prism(_harp(x - 0.1, y - 0.1, desk + 0.1), 2, 0.1, high - 0.22),
         "legs": join(
             both(moved(leg, (x - 0.2, -y * 0.6, 0))),
             moved(leg, (-x * 0.4, y * 0.7, 0)),
             box((0, -y * 0.5, low * 0.5), (0.16, 0.08, low * 0.5), 0.03),
             box((0, -y * 0.5 - 0.1, 0.12), (0.26, 0.18, 0.08), 0.03),
+            capsule(*prop, 0.075),
         ),
     }
 
