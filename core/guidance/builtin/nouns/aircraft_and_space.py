@@ -20,7 +20,7 @@ AIRCRAFT_AND_SPACE = {
             "windows": "-25303a . glass",
             "engines": "-3d6fb3",
             "tail": "&c7ccd2 . paint",
-            "doors": "~8f989f . paint",
+            "intakes": "~26292d . paint",
             "stripe": "-3d6fb3 . paint",
             "bands": "-3d6fb3 . paint",
         },

@@ -157,6 +157,8 @@ FAIRY_TALE_FOLK = {
             "skin": "-eab892",
             "hair": "-f4f2ec",
             "trim": "-e0a838 . golden",
+            "eyes": "-17120f",
+            "moustache": "-17120f",
         },
         Usual(0.4, WOOD, 0.8),
     ),

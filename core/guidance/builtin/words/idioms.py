@@ -12,6 +12,7 @@ _TAIL = (
     r"(?:flowers|roses|dots|stripes|hearts|stars|leaves|birds|patterns?|print|trim|rims?|handles?|"
     r"accents|details)\b)"
 )
+_BROOM = r"(?:an?|the|her|his|its) (?:[\w-]+ ){0,2}broom"
 _DOOR = r"(?:(?:tiny|small|little|round|wooden|red|blue|green) )*(?:doors?|windows?)"
 _IDIOMS = {
     r"pots? of gold": "cauldron full of gold coins",
@@ -20,6 +21,15 @@ _IDIOMS = {
         r"\g<look>teapot\g<tail> next to two \g<look>teacups\g<tail>"
     ),
     rf"{_LOOK}tea (?:set|service)": r"\g<look>teapot and two \g<look>teacups",
+    rf"(?<=\w )(?:flying|soaring|sitting)(?= (?:on|upon) {_BROOM})": "riding",
+    r"(?<=\w )fishing(?= (?:in|at|on|from|off|by)\b|,|\.|$)(?<!for fishing)(?<!ice fishing)": (
+        "holding a fishing rod"
+    ),
+    r"(?P<of>jack[- ]o[- ]?lantern|carved (?:halloween )?pumpkin|lantern) with (?:an? )?"
+    r"(?:(?:lit|burning|glowing|small|little) )*candles? (?:inside|in)(?: of)?(?: it)?": (
+        r"\g<of>"
+    ),
+    r"(?:magic |magical )?flying broom": "broom",
     r"pack of (?:playing )?cards": "deck of cards",
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",

@@ -28,7 +28,12 @@ from core.guidance.builtin.words.companions.joined import with_companions, witho
 from core.guidance.builtin.words.companions.known_as import ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions.offspring import parents_named
 from core.guidance.builtin.words.companions.passives import as_phrase, made_active
-from core.guidance.builtin.words.companions.rephrasing import snake_first, tree_first, turned_around
+from core.guidance.builtin.words.companions.rephrasing import (
+    roof_first,
+    snake_first,
+    tree_first,
+    turned_around,
+)
 from core.guidance.builtin.words.companions.roles import first_names, undisguised
 from core.guidance.builtin.words.companions.search import MOST, companions_in, one_more
 from core.guidance.builtin.words.companions.toppings import (
@@ -172,7 +177,7 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(in_toppings(text))))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = tree_first(snake_first(apart_from_texts(prompt, turned_around)))
+    prompt = roof_first(tree_first(snake_first(apart_from_texts(prompt, turned_around))))
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     bunched = apart_from_texts(prompt, in_bunches)
     words = as_bouquet(_of_thing(bunched, known, ignore_unknown), prompt)

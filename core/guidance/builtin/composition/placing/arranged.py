@@ -25,11 +25,13 @@ from core.guidance.builtin.composition.placing.resting import (
     upon,
     within,
 )
+from core.guidance.builtin.composition.placing.sheltering import sheltered
 from core.guidance.builtin.composition.placing.wearing import worn
 from core.guidance.builtin.words.companions.known_as import CLOTHING, CONTAINERS, EDIBLE, FLOWERS
 from core.guidance.builtin.words.companions.search import Relation
 
 EACH = ("wears", "holds")  # relations of each copy by itself
+APART = (*SPREAD, "below")  # of each companion by itself
 
 
 def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[Placement]]:
@@ -41,7 +43,7 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     things = [first, *(other for _, other in others)]
     flowers = _in_bunch(first, others)
     each = len(flowers) < 2 and all(
-        how in EACH or (other.words.count == count and how not in SPREAD) for how, other in others
+        how in EACH or (other.words.count == count and how not in APART) for how, other in others
     )
     if count > 1 and others and each:  # "two penguins wearing hats": a penguin and a hat, twice
         places = _placed(first, others)
@@ -51,8 +53,12 @@ def arranged(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[list[
     else:
         copies = [copies_of(thing) for thing in things]
         whole = first.group(copies[0])
+        below = whole  # and what is under it
         for k, (how, other) in enumerate(others, 1):
-            if how in SPREAD:
+            if how == "below":
+                copies[k] = sheltered(other, whole, below, other.words.count)
+                below = joined([below, other.group(copies[k])])
+            elif how in SPREAD:
                 copies[k] = SPREAD[how](other, whole, other.words.count)
         groups = [thing.group(own) for thing, own in zip(things, copies, strict=True)]
         mixed = _mixed(first, others)
@@ -115,7 +121,7 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
         elif how == "wears" and other.words.noun not in CLOTHING:
             wearer = there.standing if there.standing and there.carried else there
             found.append(_carried(worn(other, wearer), there))
-        elif how in SPREAD:  # each of them by itself
+        elif how in APART:  # each of them by itself
             found.append(Placement.of())
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)

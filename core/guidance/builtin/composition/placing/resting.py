@@ -57,7 +57,9 @@ NESTS, HALFWAY, NESTED = ("nest", "beehive"), 0.5, 0.3  # of the crown's height;
 BEDS = {"pickup truck": ("bed",), "dump truck": ("load", "bed")}  # a load lies on these parts
 PLANTED = {"island": ("trunk", "leaves", "coconuts", "stones")}  # no thing is put on these
 LYING = {"surfboard", "skateboard", "snowboard"}  # as a support
-MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"}
+BROOM, ON_HANDLE = (1.0, 1.7), 0.66  # its size; of its handle, from the front
+BROOMS = {"broom"}  # lie along who is on them, the handle to the front
+MOUNTS = {"bicycle", "motorcycle", "scooter", "tricycle", "rocking horse"} | BROOMS
 STONE, STUCK = (0.4, 1.6), 0.3  # of a stuck thing: the other's size; its depth
 POINT_DOWN = torch.tensor([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
 
@@ -65,13 +67,22 @@ POINT_DOWN = torch.tensor([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
 def under(thing: Body, support: Body, off_middle: float = OFF_MIDDLE) -> Placement:
     """The placement of a support below ``thing``; with the cost of a unit off its middle."""
     foods = FOOD if {thing.words.noun, support.words.noun} <= EDIBLE else SUPPORT
-    sizes = MOUNT if _is_mount(support) else foods
-    turn = _levelled(thing, support)
+    on_broom = support.words.noun in BROOMS
+    sizes = BROOM if on_broom else MOUNT if _is_mount(support) else foods
+    turn = levelled(thing, support)
     place = Placement.of(sized(support.placed(Placement.of(1.0, turn)), thing, *sizes), turn)
     below = support.placed(place)
-    spot = spot_on(thing, below, off_middle)
+    spot = on_handle(below) if on_broom else spot_on(thing, below, off_middle)
     sunk = ASTRIDE * float(thing.sides[2]) if _rides(thing, support) else SUNK
     return place.moved(_foot(thing) - spot + torch.tensor([0.0, 0.0, sunk]))
+
+
+def on_handle(broom: Body) -> Float[Tensor, " 3"]:
+    """The place on a level broom's handle where one sits."""
+    handle = broom.of_parts("handle")
+    low, high = handle.amin(0), handle.amax(0)
+    spot = (low + high) / 2
+    return torch.stack([spot[0], low[1] + ON_HANDLE * (high - low)[1], spot[2]])
 
 
 def within(thing: Body, other: Body) -> Placement:
@@ -166,7 +177,7 @@ def upon(thing: Body, carrier: Body, count: int = 1) -> Placement:
         return around(thing, carrier).inverted()
     if carrier.words.noun in CROWNED and thing.words.noun in NESTS:
         return _in_branches(thing, carrier)
-    turn = lying(thing) @ _levelled(carrier, thing)
+    turn = lying(thing) @ levelled(carrier, thing)
     laid = thing.placed(Placement.of(1.0, turn))
     room = carrier.sides[:2].max() if count == 1 else carrier.sides[:2].min()
     wide = WIDEST * room / laid.sides[:2].max()
@@ -254,8 +265,10 @@ def _rides(thing: Body, support: Body) -> bool:
     return bool(stands) and (is_animal(noun) or noun in MOUNTS)
 
 
-def _levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
+def levelled(thing: Body, support: Body) -> Float[Tensor, "3 3"]:
     """The rotation of a thing's support: a board is flat, and along the thing."""
+    if support.words.noun in BROOMS:
+        return Z_TO_BACK
     turn = torch.eye(3)
     flat = support.words.noun in LYING and support.sides[2] > support.sides[:2].min()
     if flat:

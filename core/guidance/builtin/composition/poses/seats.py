@@ -10,12 +10,16 @@ from torch import Tensor
 
 from core.guidance.builtin.composition.placing.placement import EYES, Body, Placement, sized
 from core.guidance.builtin.composition.placing.resting import (
+    BROOM,
+    BROOMS,
     CELLS,
     FOOT,
     MOUNT,
     SEAT,
     SUNK,
     height_map,
+    levelled,
+    on_handle,
     spot_on,
 )
 from core.guidance.builtin.composition.placing.wearing import head_of
@@ -222,10 +226,14 @@ def _on_back(mount: Body, half: float) -> Float[Tensor, " 3"]:
 
 def ridden(first: Body, support: Body, legs: Legs) -> Seat:
     """Astride, the thighs around the mount, or on top of one that is too broad."""
-    place = Placement.of(sized(support, first, *MOUNT))
+    on_broom = support.words.noun in BROOMS
+    sizes = BROOM if on_broom else MOUNT
+    place = Placement.of(sized(support, first, *sizes), levelled(first, support))
     below = support.placed(place)
     saddle = below.of_parts(*SADDLES)
-    if len(saddle):
+    if on_broom:
+        spot = on_handle(below)
+    elif len(saddle):
         low, high = saddle.amin(0), saddle.amax(0)
         spot = torch.cat([(low + high)[:2] / 2, high[2:]])
     else:

@@ -13,7 +13,7 @@ JUPITER_ZONES = ((-46, -36), (-10, 4), (21, 27), (52, 58))
 AIRCRAFT_AND_SPACE: Rows = {
     "airplane": {
         "windows": Marking("body", partial(bands.girt, **own.PLANE_WINDOWS)),
-        "doors": Marking("body", partial(outlines.laid, **own.PLANE_DOORS)),
+        "intakes": Marking("engines", partial(rings.disc, radius=0.78), every=True),
         "stripe": Marking("body", partial(bands.girt, **own.PLANE_STRIPE)),
         "bands": Marking("tail", partial(bands.belts, spans=own.TAIL_BANDS)),
     },

@@ -16,7 +16,7 @@ from core.guidance.builtin.markings.forms import (
     studs,
 )
 from core.guidance.builtin.markings.marking import Marking, Rows
-from core.guidance.builtin.markings.outlines import Emblem, Poly
+from core.guidance.builtin.markings.outlines import Disc, Emblem, Poly
 from core.guidance.builtin.markings.rows.creature_parts import (
     GLINTS,
     bars,
@@ -48,6 +48,8 @@ COAT_BUTTONS = [(side * 0.13, up) for side in (-1, 1) for up in (0.44, 0.2, -0.6
 PANEL_BUTTONS = [(-0.45, 0.25), (0.0, 0.25), (0.45, 0.25)]
 EARED = faces.Face(axis=2)
 GIRL = faces.Face(radius=0.33)
+MOUSTACHE = Poly(((0.0, -0.1), (0.3, -0.08), (0.66, 0.08), (0.56, -0.18), (0.24, -0.34),
+                  (0.0, -0.26)), twice=True)  # fmt: skip
 CHARACTERS: Rows = {
     "girl": mouth(-0.42, face=GIRL),
     # A solid has at most seven drawn parts; this is the eighth.
@@ -109,6 +111,12 @@ CHARACTERS: Rows = {
             "apron", partial(seams.pockets, at=(0.0, -0.42), size=(0.5, 0.26), both=False)
         ),
         "pleats": Marking("hat", partial(planks.staves, count=16, wide=0.012)),
+    },
+    "nutcracker": {
+        "eyes": Marking(
+            "skin", partial(outlines.laid, front=(Disc((0.4, 0.34), 0.16, twice=True),))
+        ),
+        "moustache": Marking("skin", partial(outlines.laid, front=(MOUSTACHE,))),
     },
     "clown": {
         "mouth": Marking("skin", partial(faces.smile, at=-0.5, wide=0.56, deep=0.5, line=0.09)),

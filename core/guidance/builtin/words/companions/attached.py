@@ -12,6 +12,7 @@ from core.guidance.builtin.nouns import GROUPS
 from core.guidance.builtin.words.companions import known_as
 from core.guidance.builtin.words.companions.fillings import named
 from core.guidance.builtin.words.companions.glassware import VESSELS, may_enclose
+from core.guidance.builtin.words.companions.rephrasing import POSES
 from core.guidance.builtin.words.companions.whereabouts import TOPS
 from core.guidance.builtin.words.grammar.openers import Relation, ends_in_name, named_in
 from core.guidance.builtin.words.grammar.part_names import looks_of
@@ -52,9 +53,10 @@ _BALLS = frozenset(("ball", "baseball", "tennis ball", "softball"))
 # Words that end a phrase about another thing.
 _ENDS = (
     r"on|in|at|of|and|with|that|which|growing|hanging|sitting|lying|resting|perched|standing|"
-    r"coming|attached|stuck|sprouting|dangling|suspended|inside|behind"
+    r"coming|attached|stuck|sprouting|dangling|suspended|inside|behind|under|underneath|beneath|below|"
+    r"hidden|hiding|gathered|placed|piled"
 )
-_PHRASE = rf"(?P<phrase>(?:(?!(?:{_ENDS})\b)[\w'-]+ ?){{1,5}})(?<! )"
+_PHRASE = rf"(?P<phrase>(?:an? (?:{'|'.join(POSES)}) )?(?:(?!(?:{_ENDS})\b)[\w'-]+ ?){{1,5}})(?<! )"
 _HAVING = ("with", "and", "has", "that has", "having")
 _COVERED = ("covered in", "covered with", "full of", "decorated with")
 _POSTURE = "(?: (?:sitting|perched|standing|resting|sleeping|lying|stuck))?"
@@ -66,6 +68,8 @@ _WHERE = {
     "growing": r" (?:growing|sprouting|blooming)(?: (?:out|up))?(?: (?:on|of|from|out of|over|in) "
     rf"{_IT}(?: (?:top|sides?|branches|surface|bark))?)?\b",
     "behind": r" (?:crossed )?behind (?:it|them)\b",
+    "below": rf"{_POSTURE}(?: (?:placed|piled|hidden|hiding|gathered))? "
+    r"(?:under|underneath|beneath|below)(?: (?:it|them|its branches))?(?=$|[,.;!?]| and\b)",
     "front": r" (?:attached )?(?:on|at|to|in) (?:the|its) (?:front|handlebars?|rack|back)\b",
     "lid": rf"{_POSTURE} on (?:the|its|an?|one of its) "
     r"(?:lid|branch|branches|canopy|chimney|spout|roof|handle|hood|bonnet)\b",
@@ -142,6 +146,7 @@ def _how(first: str, noun: str, match: re.Match[str]) -> tuple[Relation, int] | 
         (bool(crossed) and _has_a_back(first), ",behind", "behind", 2),
         (first in _HANDLEBARS and noun in _CARRIERS, ",front,on,top", "front", 1),
         (first == "glove" and noun in _BALLS, ",within,on", "front", 1),
+        (first in known_as.ROOFS, "below", "below", FEW),
         (first in TREES and noun in _FRUIT, ",growing,on", "growing", CIRCLED),
         (first in _SOILS and noun in grows, ",growing,on,top", "growing", covered),
         (first in _HATS and noun in _ON_TIPS, "top", "bears", 1),

@@ -123,7 +123,8 @@ def fitting(
     added = relation == "wears" and known_as.is_put_on(first, other)
     # "With white socks" is of a horse's legs, and "wearing socks" of its clothes.
     added = added or (relation == "wears" and is_worn and is_asked(first, got.entry.form))
-    if not another and not added and is_part(got.entry, first):
+    flies = relation == "on" and other == known_as.BROOM  # and not on what it sweeps with
+    if not (another or added or flies) and is_part(got.entry, first):
         return None
     is_so = {
         "on": lambda: known_as.may_bear(other, first, heaped),

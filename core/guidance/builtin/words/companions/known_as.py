@@ -28,6 +28,15 @@ CLOTHING = frozenset(
 ) | {"high heel", "dog collar"}
 ON_BODIES = frozenset(("shirt", "jacket", "dress", "chestplate"))  # one is worn
 WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headphones"}
+# There is room on the ground under them, or at their foot.
+ROOFS = frozenset(
+    (
+        "table, desk, coffee table, picnic table, pool table, bed, bunk bed, bench, chair, stool, "
+        "tree, oak tree, palm, christmas tree, willow tree, bonsai, umbrella, mushroom, bridge, "
+        "torii gate, street lamp, counter, piano, grand piano, slide, rainbow arch, sunflower, "
+        "flower, satellite dish, carousel, ufo, airplane, treehouse, gate, swing, tent"
+    ).split(", ")
+)
 # They are open above, so that their content is visible.
 CONTAINERS = frozenset(
     (
@@ -66,6 +75,7 @@ FLOWERS = frozenset("flower tulip rose sunflower".split())
 STIRRING = frozenset("spoon fork whisk spatula".split())
 ENTERED = CONTAINERS | WORN | SEATS | PIERCED | {"cube"}  # as a box is read by itself
 BOX = "cardboard box"
+BROOM = "broom"  # somebody may ride on one
 # Worn, hanging or slender things, which bear nothing.
 _SLENDER = (
     "chain, rope, curtain, clothes hanger, ladder, fence, staff, torch, key, arrow, umbrella, "
@@ -252,6 +262,8 @@ def is_put_on(first: str, other: str) -> bool:
 
 def may_bear(other: str, first: str, heaped: bool = False) -> bool:
     """Whether the first thing may stand, lie, sit or ride on the other, or on a heap of it."""
+    if other == BROOM:
+        return is_dressed(first)
     if (other in NO_SUPPORTS and not heaped) or first in HUNG:
         return False
     return not is_building(other) or usual(other)[0] <= LARGEST_BUILDING * usual(first)[0]

@@ -6,7 +6,7 @@ Standard library only.
 
 import re
 
-from core.guidance.builtin.words.companions.known_as import may_coil
+from core.guidance.builtin.words.companions.known_as import ROOFS, may_coil
 from core.guidance.builtin.words.grammar.openers import named_in
 from core.guidance.builtin.words.tables.living import is_creature
 
@@ -83,9 +83,23 @@ _IN_A_TREE = re.compile(
 _HANGING = re.compile(
     r"^\s*(?P<who>[^,;.]+?),? (?:that (?:is|are) )?hanging (?:down )?(?:from|in|on|off) "
     r"(?:(?:the|an?|its) (?:[\w-]+ )?(?:branch|branches|limb) of )?"
-    rf"{_TREE}(?: branch(?:es)?| limb)?{_END}",
+    rf"(?:{_TREE}(?: branch(?:es)?| limb)?|an? (?:[\w-]+ ){{0,2}}branch){_END}",
     re.IGNORECASE,
 )
+POSES = ("sitting", "sleeping", "lying", "crouching", "kneeling")
+_POSTURES = "|".join((*POSES, "standing", "resting", "hiding", "waiting", "napping"))
+_UNDER = re.compile(
+    r"^\s*(?P<who>(?:an? |the )?(?:(?!\b(?:with|in|on|an?|the)\b)[^,;.])+?)"
+    rf"(?: (?P<how>{_POSTURES}|placed|piled))? "
+    rf"(?:under|underneath|beneath|below) (?P<of>(?:an?|the) [^,;.]+?){_END}",
+    re.IGNORECASE,
+)
+_OVER = re.compile(
+    r"^\s*(?P<of>(?:an?|the) (?:[\w-]+ ){0,3}?(?:umbrella|parasol|tree)) over "
+    rf"(?P<who>(?:an?|the) [^,;.]+?){_END}",
+    re.IGNORECASE,
+)
+_ARTICLE = re.compile(r"(?P<a>(?:an?|the|two|three|some) )", re.IGNORECASE)
 _DECORATED = re.compile(
     r"(?P<of>\b(?:vase|urn|mug|teapot|jug|shield|flag|banner|coin|skateboard|surfboard|poster)) "
     rf"with (?P<what>an? (?:(?!\b(?:on|in|inside|and|wrapped|around)\b)[^,.;])+?){_END}",
@@ -121,6 +135,17 @@ def snake_first(prompt: str) -> str:
     return f"{found['what']} coiled around {found['of'].strip()}{prompt[found.end() :]}"
 
 
+def roof_first(prompt: str) -> str:
+    """The prompt with what others are under first: "a cat sleeping under a table"."""
+    found = _UNDER.match(prompt) or _OVER.match(prompt)
+    if found is None or named_in(found["of"]) not in ROOFS or not named_in(found["who"]):
+        return prompt
+    who, how = found["who"], found.groupdict().get("how")
+    if how and how.lower() in POSES:  # "a sleeping cat"
+        who = _ARTICLE.sub(rf"\g<a>{how} ", who, count=1)
+    return f"{found['of']} with {who} under it{prompt[found.end() :]}"
+
+
 def tree_first(prompt: str) -> str:
     """The prompt with the tree first, which is larger: "an owl in a tree", "lanterns hanging from a
     tree"; not with a fruit or an animal that hangs there."""
@@ -131,5 +156,5 @@ def tree_first(prompt: str) -> str:
         noun = named_in(found["who"])
         alive = is_creature(noun)
         if noun and (not alive if rule is _HANGING else alive or noun in _IN_BRANCHES):
-            return f"{found['tree']} with {found['who']} {how}{prompt[found.end() :]}"
+            return f"{found['tree'] or 'a tree'} with {found['who']} {how}{prompt[found.end() :]}"
     return prompt

@@ -7,8 +7,10 @@ import re
 from collections.abc import Collection
 from dataclasses import replace
 
+from core.guidance.builtin.words.companions.known_as import BROOM
 from core.guidance.builtin.words.grammar.accents import Accent
 from core.guidance.builtin.words.grammar.lexicon import LEXICON
+from core.guidance.builtin.words.grammar.part_names import looks_of
 from core.guidance.builtin.words.phrases.slots import Words
 
 _SOME = r"(?:(?:an?|some|the|lots of|plenty of|loads of|extra|thick|fluffy|fresh) )*"
@@ -77,10 +79,13 @@ def with_its_liquid(words: Words, names: Collection[str]) -> Words:
 def without_replaced(words: Words) -> Words:
     """The thing without the cherry in whose place something else is: a strawberry on a cupcake.
 
-    Nor with more cream than its own."""
+    Nor with more cream than its own, nor a witch with a second broom while she rides one."""
     if words.noun in WITH_CREAM:
         others = tuple(one for one in words.companions if one.words.noun != CLOUD)
         words = replace(words, companions=others)
+    rides = any(one.relation == "on" and one.words.noun == BROOM for one in words.companions)
+    if rides and BROOM in looks_of(words.noun) and BROOM not in words.absent:
+        return replace(words, absent=(*words.absent, BROOM))
     part = REPLACED.get(words.noun)
     borne = any(
         one.relation == "bears" and one.words.noun not in (CLOUD, part) for one in words.companions

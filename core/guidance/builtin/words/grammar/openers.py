@@ -25,6 +25,7 @@ Relation = Literal[
     "front",
     "around",
     "surrounding",
+    "below",
 ]
 TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
 

@@ -109,7 +109,8 @@ _ROWS = {
     "jalapeno": "green",
     "cantaloupe": "orange; seeds: cream",
     "brownie": "chocolate brown; body: chocolate brown; topping: chocolate brown",
-    "bagel": "tan; icing: tan; sprinkles: cream; strands: cream; drops: cream",
+    "bagel": "caramel; icing: caramel; dough: caramel; sprinkles: cream; strands: cream; "
+    "drops: cream",
     "gingerbread house": "caramel spotted red; roof: white; chimney: chestnut; door: red; "
     "shutters: green",
     "cheesecake": "cream; body: tan",

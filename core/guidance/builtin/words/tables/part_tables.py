@@ -250,6 +250,7 @@ CALLED = {
     },
     "boombox": {"antenna": "handle", "aerial": "handle", "cassette": "deck", "tape": "deck"},
     "pen": {"tip": "nib"},
+    "hourglass": {"sand": "glass"},
     "hamburger": {"sesame": "seeds", "sesame seeds": "seeds"},
     "cactus": dict.fromkeys("spikes thorns needles prickles".split(), "spines"),
     "tennis racket": {"net": "strings", "netting": "strings"},
