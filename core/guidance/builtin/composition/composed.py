@@ -22,6 +22,7 @@ from core.geometry.parts.forms import Forms
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
 from core.guidance.builtin.composition.clothes.clothing import dressed
+from core.guidance.builtin.composition.filling import filled
 from core.guidance.builtin.composition.glass.enclosing import enclosed, inside_of
 from core.guidance.builtin.composition.placing.arranged import arranged
 from core.guidance.builtin.composition.placing.placement import Body, Placement
@@ -83,7 +84,9 @@ class Composed(PromptedGuidance):
         bodies = [Body.of(one.words, one.solid, one.parts()) for one in drawn if one.solid]
         if len(bodies) < len(drawn):  # the weights have no solids
             return self
+        drawn, bodies, holds = filled(drawn, bodies, self.relations)
         drawn, bodies, fits = dressed(drawn, bodies, self.relations)
+        fits = [a and b for a, b in zip(fits, holds, strict=True)]
         drawn, bodies, unposed = in_poses(drawn, bodies, self.relations)
         drawn, bodies = seated(drawn, bodies, self.relations)
         drawn = list(compress(drawn, [True, *fits]))
@@ -99,8 +102,12 @@ class Composed(PromptedGuidance):
         sides = verts.amax(0) - verts.amin(0)
         of_size = inside.vessel if inside else 0
         size_m = float(sides.max()) * bodies[of_size].metres / places[of_size][0].scale
-        others = zip(self.things[1:], fits, strict=True)
-        unfit = [f"{thing.words.noun}: {UNFIT}" for thing, fit in others if not fit]
+        others = zip(self.things[1:], self.relations, fits, strict=True)
+        unfit = [
+            f"{'filling' if how == 'fills' else thing.words.noun}: {UNFIT}"
+            for thing, how, fit in others
+            if not fit
+        ]
         contents = inside.contents if inside else ()
         return self._with(self.alone, Made(drawn, places, size_m, [*unfit, *unposed], contents))
 

@@ -92,7 +92,8 @@ class VesselParts(KnownParts):
 
     def _component(self, part: int, one: Primitive) -> Component:
         verts, faces = one.mesh(EDGE)
-        if one is self.vessel.shape.parts[self.vessel.shape.glass][0]:
+        glass = self.vessel.shape.parts.get(self.vessel.shape.glass)
+        if glass and one is glass[0]:
             inner, wall = self.vessel.shape.room.mesh(EDGE)
             faces = torch.cat([faces, wall.flip(1) + len(verts)])
             verts = torch.cat([verts, inner.to(verts)])

@@ -30,7 +30,7 @@ from core.guidance.builtin.composition.placing.wearing import worn
 from core.guidance.builtin.words.companions.known_as import CLOTHING, CONTAINERS, EDIBLE, FLOWERS
 from core.guidance.builtin.words.companions.search import Relation
 
-EACH = ("wears", "holds")  # relations of each copy by itself
+EACH = ("wears", "holds", "fills")  # relations of each copy by itself
 APART = (*SPREAD, "below")  # of each companion by itself
 
 
@@ -125,6 +125,8 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
             found.append(Placement.of())
         elif how in ("on", "in") and first.rests is not None:
             found.append(first.rests)
+        elif how == "fills" and other.rests is not None:
+            found.append(other.rests)
         elif how == "bears" and len(borne) > 1:  # "a skull and a candle on top"
             place = next(k for k, one in enumerate(borne) if one is other)
             found.append(upon(other, there.cell(place, len(borne)), len(borne)))

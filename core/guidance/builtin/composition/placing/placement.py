@@ -76,7 +76,7 @@ class Body:
     faces: Int[Tensor, "f 3"]
     part: Int[Tensor, " v"]
     metres: float = 1.0  # metres of a training unit
-    rests: Placement | None = None  # the placement of its seat or mount
+    rests: Placement | None = None  # of its seat or mount; of a filling, its own
     standing: "Body | None" = None  # before it sits, its trunk in the same place
     carried: Placement | None = None  # if its trunk is not there: from there to where it is
 

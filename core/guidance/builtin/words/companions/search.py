@@ -29,6 +29,7 @@ from core.guidance.builtin.words.companions.known_as import is_dressed
 from core.guidance.builtin.words.companions.numbers import distributed, next_to, on_both_sides
 from core.guidance.builtin.words.companions.offspring import like_its_parent, young_in
 from core.guidance.builtin.words.companions.phrases import ARTICLES, SAYS_LITTLE, VERBS, items
+from core.guidance.builtin.words.companions.poured import poured_in
 from core.guidance.builtin.words.companions.whereabouts import BY_IT, Place, place_of
 from core.guidance.builtin.words.grammar.lexicon import SLOTS, look_up, singulars
 from core.guidance.builtin.words.grammar.openers import (
@@ -107,7 +108,8 @@ def companions_in(
     found = list(found)
     search = _Search(standing_in(read), first_of)
     prompt = turned(mixtures_named(prompt))
-    steps = (search.young, search.attached, search.listed, search.placed, search.served)
+    steps = (search.young, search.poured, search.attached, search.listed, search.placed)
+    steps = (*steps, search.served)
     for step in (*steps, search.filled, search.opened):
         while len(found) < MOST:
             more, prompt = step(prompt, found)
@@ -175,6 +177,17 @@ class _Search:
             if one.heaped:
                 words = replace(words, order="heap")
             return [Found(one.relation, one.phrase, words)], _cut(prompt, one.start, one.end, [])
+        return [], prompt
+
+    def poured(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:
+        """ "Of beer", "full of soil": one filling of the first thing."""
+        if any(one.relation == "fills" for one in found):
+            return [], prompt
+        for one in islice(poured_in(prompt, self._first_of), LOOKED_AT):
+            if got := self._read(one.phrase):
+                words = replace(got.words, notes=(one.note,))
+                filling = Found("fills", one.phrase, words)
+                return [filling], _cut(prompt, one.start, one.end, [])
         return [], prompt
 
     def listed(self, prompt: str, found: list[Found]) -> tuple[list[Found], str]:

@@ -26,6 +26,7 @@ Relation = Literal[
     "around",
     "surrounding",
     "below",
+    "fills",
 ]
 TOKEN = re.compile(r"[^\W_]+(?:['’-][^\W_]+)*|[,;:.!?()]")
 
