@@ -165,8 +165,9 @@ class KnownParts:
     def _layered(self, component: Component) -> Primitive | None:
         """What the component is, where it is flat outlines one upon another along an axis, or along
         several, or one around a line."""
-        work = self.forms.bodywork.get(component.place.part)
-        if work and work.leans:  # a stepped pyramid is near a cabin
+        part = component.place.part
+        work = self.forms.bodywork.get(part)
+        if part in self.forms.curved or (work and work.leans):  # a stepped pyramid is near a cabin
             return None
         frames = [frame @ turned for frame in frames_of(points_of(component)) for turned in FRAMES]
         each = [*(layered(component, frame) for frame in frames), wall(component)]

@@ -24,6 +24,7 @@ class Forms(NamedTuple):
     # How thick the real part is, by that of what is drawn; (): all as they are drawn.
     slender: Sequence[float] = ()
     bodywork: Mapping[int, Bodywork] = MappingProxyType({})  # of the parts that get it
+    curved: Collection[int] = ()  # parts that a stack of flat outlines is near, and is not
 
     def may_be_flat(self, part: int) -> bool:
         """Whether components of the part may have flat faces. The table knows nothing of what is

@@ -33,7 +33,7 @@ from core.guidance.builtin.markings.markings import (
 from core.guidance.builtin.markings.overlay import Overlay
 from core.guidance.builtin.nouns import solid_of
 from core.guidance.builtin.palette import Painted, looks, painted
-from core.guidance.builtin.part_forms import CORNERED, part_forms_table
+from core.guidance.builtin.part_forms import CORNERED, CURVED, part_forms_table
 from core.guidance.builtin.patterns import ALONG, LINES, MARGINS, Laid, axis_of
 from core.guidance.builtin.slender import slender_parts
 from core.guidance.builtin.solid import Solid
@@ -91,9 +91,11 @@ class PaintedSolid:
         # A guide may be as wide as the cube, the limit of the search.
         is_guided = isinstance(self.solid, BentSolid)
         wider = AS_IT_IS if is_guided else known_wider(solid_of(noun))
-        corners = CORNERED.get(solid_of(noun), ())
-        cornered = [part for part, name in enumerate(looks(noun)) if name in corners]
         names = list(looks(noun))
+        cornered, curved = (
+            [part for part, name in enumerate(names) if name in known.get(solid_of(noun), ())]
+            for known in (CORNERED, CURVED)
+        )
         own = dict(self.words.part_sizes) if self.whole else {}
         sizes = [own.get(name, "").split() for name in names]
         slender = slender_parts(noun, names) if self.whole else [1.0] * len(names)
@@ -101,7 +103,7 @@ class PaintedSolid:
         thick = [by * product(PART_WIDTHS, words) for by, words in each]
         stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
         changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
-        forms = Forms(flat, kept, cornered, least, thick, bodywork_of(noun, names))
+        forms = Forms(flat, kept, cornered, least, thick, bodywork_of(noun, names), curved)
         return KnownParts(self.solid.distances, forms, wider, changed)
 
     @cached_property

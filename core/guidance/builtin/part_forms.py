@@ -12,6 +12,8 @@ ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
 # Parts with so many corners that the network's errors make them look round.
 CORNERED = {"stop sign": ("plate", "rim")}
+# Parts that are curved both ways: flat outlines one upon another are near them.
+CURVED = {"canoe": ("hull",)}
 
 
 class PartForms(NamedTuple):

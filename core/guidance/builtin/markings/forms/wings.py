@@ -15,7 +15,7 @@ from core.guidance.builtin.markings.margins import (
 )
 
 Outline = tuple[tuple[float, float], ...]
-# Of a butterfly's right wings, in halves of all four: their outlines, veins and dots.
+# Of a butterfly's right wings, in their width and halves of their length: outlines, veins and dots.
 FORE: Outline = ((0.0, -0.1), (0.2, -0.5), (0.4, -0.78), (0.62, -0.94), (0.84, -1.0), (0.97, -0.92),
               (1.0, -0.76), (0.95, -0.42), (0.85, -0.1), (0.7, 0.05), (0.4, 0.16),
               (0.0, 0.2))  # fmt: skip
@@ -41,10 +41,10 @@ def wing_cases(points: Points, half: Half) -> Margin:
 
 
 def _wings(points: Points, half: Half) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """For a butterfly with its front at -y: places on its right wings, their scale, and the margins
-    of the fore and the hind wing."""
-    scale = half[:2].to(points)
-    at = torch.stack([points[:, 0].abs(), points[:, 1]], 1)
+    """For a butterfly with its front at -y: places on the wings of one side from their root on,
+    their scale, and the margins of the fore and the hind wing."""
+    scale = half[:2].to(points) * half.new_tensor([2.0, 1.0]).to(points)
+    at = torch.stack([points[:, 0] + half[0].to(points), points[:, 1]], 1)
     fore, hind = (within(at, points.new_tensor(line) * scale) for line in (FORE, HIND))
     return at, scale, fore, hind
 

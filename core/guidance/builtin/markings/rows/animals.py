@@ -201,8 +201,8 @@ ANIMALS: Rows = {
         "veins": wing_lines("wings", *BEE_VEINS, axes=(0, 1)),
     },
     "butterfly": {
-        "dots": Marking("edges", wings.wing_dots),
-        "wings": Marking("edges", wings.wing_cells),
+        "dots": Marking("edges", wings.wing_dots, paired=True),
+        "wings": Marking("edges", wings.wing_cells, paired=True),
     },
     "person": mouth(-0.7, 0.22),
     "knight": {
