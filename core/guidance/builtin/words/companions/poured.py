@@ -61,10 +61,9 @@ _POURED = re.compile(
 
 
 class Poured(NamedTuple):
-    """What fills a vessel: a phrase for its look, a note, and its place in the prompt."""
+    """What fills a vessel: a phrase for its look, and its place in the prompt."""
 
     phrase: str
-    note: str
     start: int
     end: int
 
@@ -79,8 +78,5 @@ def poured_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Poured]:
         if (said and not colored) or first_of(prompt[: match.start()]) not in OPEN:
             continue
         look = " ".join(said) if said else POURED.get(what) or HEAPED[what]
-        if what in POURED:
-            phrase, note = f"a glossy {look} cylinder", f"{what}: made as a liquid."
-        else:
-            phrase, note = f"a matte {look} ball", f"{what}: made as a heap."
-        yield Poured(phrase, note, match.start(), match.end())
+        solid = f"glossy {look} cylinder" if what in POURED else f"matte {look} ball"
+        yield Poured(f"a {solid}", match.start(), match.end())

@@ -185,7 +185,7 @@ class _Search:
             return [], prompt
         for one in islice(poured_in(prompt, self._first_of), LOOKED_AT):
             if got := self._read(one.phrase):
-                words = replace(got.words, notes=(one.note,))
+                words = replace(got.words, notes=())  # a material is no reading of another
                 filling = Found("fills", one.phrase, words)
                 return [filling], _cut(prompt, one.start, one.end, [])
         return [], prompt
