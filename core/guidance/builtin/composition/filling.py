@@ -20,7 +20,7 @@ from core.guidance.builtin.words.companions.search import Relation
 
 SAMPLES, SECTORS = 80_000, 72
 OUTSIDE = (*OVER_THE_RIM, "stem", "foot", "wheel", "wheels", "frame", "column", "cover")
-LEVEL, HEAP_LEVEL = 0.84, 0.88  # of the vessel's height
+LEVEL, HEAP_LEVEL = 0.9, 0.9  # of the vessel's height
 SLICE = 0.03  # of its height: what counts as at that level
 INTO_WALL = 0.5  # of a wall: so far into it the filling goes
 HALF = 0.025  # training units: half a liquid's thickness
