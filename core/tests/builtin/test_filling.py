@@ -37,6 +37,13 @@ def test_what_is_closed_or_has_its_own_is_not_filled(prompt):
     assert not any(one.relation == "fills" for one in words.companions)
 
 
+def test_the_filling_has_its_own_colour_and_the_vessel_its_own():
+    words = parse("a red mug full of blue paint with a green handle")
+    (paint,) = words.companions
+    assert (words.color, words.second, words.target) == ("red", "green", "handle")
+    assert paint.words.color == "blue"
+
+
 def test_a_spoon_comes_with_the_soup():
     words = parse("a bowl of soup with a spoon")
     assert [one.relation for one in words.companions] == ["fills", "bears"]

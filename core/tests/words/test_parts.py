@@ -148,7 +148,7 @@ def test_a_parts_name_before_a_thing_qualifies_it_and_in_a_phrase_of_its_own_is_
     ("prompt", "words", "part"),
     [
         ("a torus with pink icing", Words("torus"), "pink icing"),
-        ("a bucket of water", Words("bucket"), "water"),
+        ("a barrel of water", Words("barrel"), "water"),
         ("a black robot with a red glow", Words("robot", color="black"), "red glow"),
     ],
 )

@@ -75,7 +75,7 @@ DISHES_AND_GROCERIES = {
     ),
     "ramen": Noun(
         "noodles, noodle, ramen bowl, bowl of ramen, ramen noodles, bowl of noodles, noodle "
-        "bowl; noodle soup, bowl of soup, chicken noodle soup, udon, pho, instant noodles, "
+        "bowl; noodle soup, chicken noodle soup, udon, pho, instant noodles, "
         "spaghetti, soup, stew, pasta, pad thai, curry, chili con carne",
         {
             "bowl": "*b3231f . ceramic",

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from core.guidance.builtin.words.grammar.lexicon import LEXICON
+from core.guidance.builtin.words.grammar.lexicon import LEXICON, singulars
 
 # Open vessels without a filling of their own; what else fills one is a part of it.
 OPEN = frozenset(
@@ -55,7 +55,7 @@ _STATES = (
 _POURED = re.compile(
     r" (?:(?:completely |half )?(?:full|filled)(?: up)?(?: to the brim)? (?:of|with)|of|with|"
     rf"containing|holding) (?:some )?(?P<look>(?:[\w-]+ ){{0,3}}?)(?P<what>{_NAMES})"
-    r"(?: in(?:side)? (?:it|them))?(?=$|[,.;!?]| and\b| with\b| on\b| in\b| next\b| beside\b)",
+    r"(?: in(?:side)? (?:it|them))?(?=$|[,.;!?]| (?:and|with|next|beside)\b| (?:on|in) an?\b)",
     re.IGNORECASE,
 )
 
@@ -75,8 +75,15 @@ def poured_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Poured]:
         said = [word for word in match["look"].lower().split() if word not in _STATES.split("|")]
         known = [LEXICON.get(word) for word in said]
         colored = bool(known) and all(one is not None and one[0] == "color" for one in known)
-        if (said and not colored) or first_of(prompt[: match.start()]) not in OPEN:
+        before = prompt[: match.start()]
+        named = _is_one_name(before.rpartition(" ")[2].lower(), what)
+        if (said and not colored) or named or first_of(before) not in OPEN:
             continue
         look = " ".join(said) if said else POURED.get(what) or HEAPED[what]
         solid = f"glossy {look} cylinder" if what in POURED else f"matte {look} ball"
         yield Poured(f"a {solid}", match.start(), match.end())
+
+
+def _is_one_name(vessel: str, what: str) -> bool:
+    """Whether it is a thing by that name: "cups of coffee", "a bucket of popcorn"."""
+    return any(f"{one} of {what}" in LEXICON for one in (vessel, *singulars(vessel)))
