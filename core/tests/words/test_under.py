@@ -66,6 +66,9 @@ def test_a_witch_who_does_not_ride_keeps_her_broom():
         ("a fishing boat", "boat", []),
         ("a carved pumpkin with a candle inside", "jack-o-lantern", []),
         ("a beehive hanging from a branch", "tree", ["hanging 1 beehive"]),
+        ("a flower growing from a skull", "flower", ["on 1 skull"]),
+        ("a wheel of cheese with a mouse", "cheese", ["beside 1 mouse"]),
+        ("an apple with a leaf", "apple", []),
         ("a strawberry sundae with whipped cream", "sundae", []),
     ],
 )

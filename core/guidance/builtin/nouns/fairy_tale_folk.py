@@ -177,7 +177,8 @@ FAIRY_TALE_FOLK = {
     "mech": Noun(
         (
             "battle mech, mech warrior, mecha, battle robot, war robot, combat robot, mech walker; "
-            "gundam, giant robot, transformer, battlemech, war machine, fighting robot, exosuit"
+            "gundam, giant robot, transformer, battlemech, war machine, fighting robot, exosuit, "
+            "mech suit"
         ),
         {
             "armour": "*d8dce2 . paint",

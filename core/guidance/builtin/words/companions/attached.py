@@ -187,6 +187,7 @@ def by_size(first: str, phrase: str) -> Relation | None:
     apart |= first in known_as.INSTRUMENTS and noun == "bow"  # which is for arrows
     apart |= first in _WITH_PARTS or first in known_as.EDIBLE
     apart |= known_as.is_dressed(first) and first not in GROUPS["Plants"]  # a robot's screen
+    apart &= not (first in known_as.EDIBLE and is_creature(noun))  # a mouse comes to the cheese
     if not noun or apart or noun == first or noun in SEVERAL or noun in known_as.HUNG:
         return None
     if not _ONE.match(phrase) or not ends_in_name(phrase, noun):

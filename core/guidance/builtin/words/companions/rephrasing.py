@@ -47,6 +47,8 @@ _TURNED = {
     r"around (?P<of>(?:an?|the) [^,.]+?)(?:'s (?:neck|shoulders|waist))?(?=[,.]|$)": (
         r"\g<of> wearing \g<what>"
     ),
+    r"^(?P<of>\s*(?:(?!with\b)[^,.;])+?) growing (?:out (?:of|from)|up from|from|through) "
+    r"(?=(?:an?|the) )": r"\g<of> on ",
     # A rock with other things is a boulder.
     r"^(?P<of>\s*(?:an?|the) (?:(?!with\b)[\w-]+ ){0,3}?)(?:rock|stone) (?=with )": (
         r"\g<of>boulder "
