@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -173,6 +174,28 @@ def test_an_asset_of_the_history_is_imported_again(ready, wait):
     names = sorted(o.name for o in bpy.data.objects)
     assert names == ["a red wooden chair", "a red wooden chair.001"]
     assert bpy.context.active_object.name == names[1]
+
+
+def test_what_is_deleted_while_the_history_is_read_does_not_come_back(ready, wait, monkeypatch):
+    submit.generate(bpy.context)
+    wait()
+    (entry,) = session.history
+    scan, begun, gone = history.scan, threading.Event(), threading.Event()
+
+    def slowly(runs, known=None):
+        found = scan(runs, known)
+        begun.set()
+        assert gone.wait(10)
+        return found
+
+    monkeypatch.setattr(history, "scan", slowly)
+    session.refresh()
+    assert begun.wait(10)
+    history.remove(entry)
+    session.refresh()
+    gone.set()
+    wait()
+    assert session.history == []
 
 
 def test_jobs_run_in_the_order_in_which_they_were_queued(ready, wait):

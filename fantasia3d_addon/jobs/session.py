@@ -58,6 +58,7 @@ class Session:
         self.words = Words()
         self.models = Models()
         self._scan: Task | None = None  # reads the history
+        self._outdated = False  # something has changed since it began to
         self._file_number = 0  # counts the files that were opened
         self._requested: dict[Path, int] = {}  # the file's number at the request, by run folder
         # Blender knows a timer by its identity, and a bound method is a new object each time.
@@ -235,8 +236,10 @@ class Session:
         self.missed = [entry for entry in self.missed if entry.folder != folder]
 
     def refresh(self) -> None:
-        """Read the history again, in the background."""
-        if self._scan is None or not self._scan.running:
+        """Read the history again, in the background; once more where it is being read: what that
+        has seen may be older than what this is called for."""
+        self._outdated = self._scan is not None
+        if self._scan is None:
             runs, known = self._runs(bpy.context), {e.folder: e for e in self.history}
             if runs is None:
                 return
@@ -359,9 +362,11 @@ class Session:
         self._import_finished()
         self._start_next()
         if self._scan and not self._scan.running:
-            if isinstance(self._scan.result, list):
-                self.history = self._scan.result
-            self._scan = None
+            found, self._scan = self._scan.result, None
+            if self._outdated:
+                self.refresh()
+            elif isinstance(found, list):
+                self.history = found
             update_list(self.history)
         self._ask_words()
         self.models.tick()
