@@ -467,6 +467,7 @@ def test_normals_of_a_bent_head_are_seen_at_rest():
     assert float((close > 0.98).float().mean()) > 0.9
 
 
+@pytest.mark.slow
 def test_clothes_go_with_the_pose_that_they_are_worn_in():
     guidance = composed("a dog in a yellow jacket, sitting")
     dog, coat = guidance.made.things

@@ -35,6 +35,7 @@ def part_of(made: Garment, name: str, points: torch.Tensor) -> torch.Tensor:
     return made.distances(points)[:, made.names.index(name)]
 
 
+@pytest.mark.slow
 def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
     assert CUTS.keys() == CLOTHING < WORN
     for noun in CUTS:
@@ -113,6 +114,7 @@ def test_a_tail_goes_through():
     assert (made.sdf(tail) > 0).all()
 
 
+@pytest.mark.slow
 def test_a_raised_arm_has_a_sleeve_beside_the_head_and_the_head_none():
     drawn = shipped_prior().prompted("a man", "").of_object(1)
     assert drawn.solid
@@ -172,6 +174,7 @@ def test_a_cape_hangs_behind():
     assert (clasp[:, 1] < wearer.neck[1] + 0.01).all()
 
 
+@pytest.mark.slow
 def test_shoes_are_on_each_foot_and_do_not_fit_a_fish():
     made = worn_by("a robot", "boot")
     assert made

@@ -118,6 +118,7 @@ def test_an_object_is_as_large_as_it_is_with_what_goes_with_it():
     assert shipped_prior().prompted("a rabbit", "").of_object(0).size_m() is None
 
 
+@pytest.mark.slow
 def test_a_mesh_of_ones_own_and_what_is_distilled_are_of_the_first_thing_alone():
     prompted = shipped_prior().prompted("a wizard wearing a golden crown", "")
     alone = prompted.of_object(0, whole=False)
@@ -159,6 +160,7 @@ def test_a_material_range_spans_all_things():
     assert math.isfinite(wide.roughness[0])
 
 
+@pytest.mark.slow
 def test_copies_are_painted_each_as_the_thing_itself():
     words = replace(parse("a red apple"), count=3)
     guidance = shipped_prior()

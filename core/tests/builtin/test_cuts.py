@@ -207,6 +207,7 @@ def test_the_inside_has_areas_of_its_own():
     assert middle.amin() > 0  # nothing is there
 
 
+@pytest.mark.slow
 def test_a_slice_has_half_the_size_and_bears_things_where_it_is():
     whole, one = (shipped_prior().prompted(text, "").of_object(0) for text in CAKES)
     assert one.words.usual()[0] == pytest.approx(whole.words.usual()[0] / 2)

@@ -138,6 +138,7 @@ def test_what_it_cannot_do_is_left_out_with_a_note(prompt, left):
     assert any(f"'{left}'" in note for note in words.notes)
 
 
+@pytest.mark.slow
 def test_the_feet_of_who_runs_are_one_before_the_other():
     first, there = posed("a running man")
     left, right = (of_bone("a running man", bone) for bone in SHIN)

@@ -85,6 +85,7 @@ def test_rice_is_heaped_above_the_rim_by_less_than_its_width():
     assert rice[:, 0].max() < bowl[:, 0].max()
 
 
+@pytest.mark.slow
 def test_two_mugs_have_each_their_own():
     made = composed("two mugs of coffee").made
     assert made

@@ -174,6 +174,7 @@ def test_the_bottom_is_on_the_seat_and_the_shins_are_before_it():
     assert len(left) > 50 and len(right) > 50  # both are there
 
 
+@pytest.mark.slow
 def test_the_legs_of_a_rider_are_on_both_sides_of_the_mount():
     posed, rider, horse = placed("a man riding a horse")
     owner = posed.pose.owner(Body.of(posed.words, posed.solid).verts)
@@ -252,6 +253,7 @@ def test_what_is_worn_is_known_where_it_comes_to_lie():
     assert not torch.equal(forms[at].verts, bodies[at].verts)
 
 
+@pytest.mark.slow
 def test_who_drives_is_below_the_roof():
     posed, man, cart = placed("a man driving a golf cart")
     assert len(posed.pose.bones) == 3
@@ -268,6 +270,7 @@ def test_a_heap_in_a_boat_is_not_posed():
         assert (things[0] is drawn[0], bodies[0].rests is None) == (count == 3, count == 3)
 
 
+@pytest.mark.slow
 def test_who_waves_has_legs_about_an_axis_of_their_own():
     waving = shipped_prior().prompted("a man sitting on a bench", "").of_object(1)
     man = waving.made.things[0]

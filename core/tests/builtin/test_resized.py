@@ -102,6 +102,7 @@ def test_a_prompt_s_sizes_are_made_within_the_cube_and_the_areas_follow():
     assert set(areas.of(tip).tolist()) == {horn, twist}
 
 
+@pytest.mark.slow
 def test_of_a_guided_or_distilled_shape_nothing_is_thinner_or_resized_and_that_is_reported():
     prompted = shipped_prior().prompted("a ladder with long rails", "")
     note = "long rails: left out, as parts get sizes only on what the built-in prior puts together"
