@@ -198,6 +198,19 @@ def test_what_is_deleted_while_the_history_is_read_does_not_come_back(ready, wai
     assert session.history == []
 
 
+def test_the_timer_goes_on_until_a_history_that_was_read_is_shown(ready, wait, monkeypatch):
+    wait()
+    session.refresh()
+    deadline = time.monotonic() + 30
+    while session._scan.running and time.monotonic() < deadline:
+        time.sleep(0.01)
+    handle = session._handle
+    monkeypatch.setattr(session, "_handle", lambda: None)  # it ended after it was looked at
+    assert session.tick() is not None
+    monkeypatch.setattr(session, "_handle", handle)
+    assert session.tick() is None
+
+
 def test_jobs_run_in_the_order_in_which_they_were_queued(ready, wait):
     runs = []
     for ready.prompt in ("long", "second", "third", "fourth"):

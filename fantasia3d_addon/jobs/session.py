@@ -337,10 +337,11 @@ class Session:
         return TICK_SECONDS if self.busy or self._is_working() else None
 
     def _is_working(self) -> bool:
-        """Whether the background still works on something."""
-        tasks = any(task and task.running for task in (self.task, self._scan))
+        """Whether the background still works on something, or has found what is not yet shown."""
+        sets_up = self.task is not None and self.task.running
         words = self.words.pending and not bpy.app.background
-        return bool(tasks or self.models.pending or words)
+        # A history that was read since it was looked at is taken by the next tick.
+        return bool(sets_up or self._scan is not None or self.models.pending or words)
 
     def _report_bug(self, what: str, error: Exception) -> None:
         """Show the sentence ``what`` went wrong, and print its traceback once."""

@@ -49,7 +49,7 @@ def test_all_that_is_cut_may_be_worn_and_has_parts_of_its_noun():
 @pytest.mark.parametrize(
     ("prompt", "stands", "has_legs"),
     [
-        ("a penguin", True, True),
+        pytest.param("a penguin", True, True, marks=pytest.mark.slow),
         ("a robot", True, True),
         ("a cat", False, True),
         pytest.param("a snake", True, False, marks=pytest.mark.slow),

@@ -86,6 +86,7 @@ def test_a_portrait_has_each_area_where_it_is_seen_and_a_line_between_them():
     assert inks.any()  # where the one in front ends
 
 
+@pytest.mark.slow
 def test_a_drawn_picture_is_areas_of_its_own_and_a_shields_own_emblem_makes_room():
     drawn = shipped_prior().prompted("a shield with a golden lion", "").of_object(0)
     fields = drawn.area_fields()

@@ -205,7 +205,7 @@ def test_who_stands_is_as_before():
     [
         pytest.param("a king", marks=pytest.mark.slow),
         pytest.param("a queen", marks=pytest.mark.slow),
-        "a witch",
+        pytest.param("a witch", marks=pytest.mark.slow),
     ],
 )
 def test_in_a_robe_one_is_as_deep_in_a_throne_as_if_one_sat(who: str):
@@ -232,6 +232,7 @@ def test_a_skirt_is_before_the_seat_that_it_is_sunk_in():
     assert float(dress.box[0, 1]) < float(seat[:, 1].amin()) < float(dress.box.mean(0)[1])
 
 
+@pytest.mark.slow
 def test_boots_go_with_the_legs_that_wear_them():
     guidance = composed("a robot wearing boots sitting on a bench")
     found, boots = legs("a robot"), next(t for t in guidance.made.things if t.words.noun == "boot")
