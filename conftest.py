@@ -62,15 +62,15 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The files that take longest, by their CPU seconds: the processes end together if they come first.
 LONGEST = (
-    "test_generate.py", "test_stable_diffusion.py", "test_reproduce.py", "test_exports.py",
-    "test_stages.py", "test_asset_matches_cycles.py", "test_prior_families.py",
-    "test_prior_solid.py", "test_guide.py", "test_bend.py", "test_fit.py",
-    "test_edit_region.py", "test_facing.py", "test_assembly.py",
-    "test_remesh.py", "test_unwrap.py", "test_prior_guidance.py", "test_packing.py",
-    "test_shading_matches_cycles.py",
-    "test_bench_solids.py", "test_launcher.py", "test_environment_setup.py",
-    "test_prior_restorer.py", "test_offline.py", "test_bad_inputs.py", "test_explore.py",
-    "test_region.py",
+    "test_posing.py", "test_generate.py", "test_composition.py", "test_animal_poses.py",
+    "test_clothing.py", "test_figure_poses.py", "test_emblems.py", "test_composed.py",
+    "test_families.py", "test_areas.py", "test_reproduce.py", "test_moods.py", "test_filling.py",
+    "test_bend.py", "test_scattered.py", "test_stable_diffusion.py", "test_exports.py",
+    "test_stages.py", "test_asset_matches_cycles.py", "test_solid.py", "test_guide.py",
+    "test_fit.py", "test_edit_region.py", "test_facing.py", "test_assembly.py", "test_remesh.py",
+    "test_unwrap.py", "test_guidance.py", "test_packing.py", "test_shading_matches_cycles.py",
+    "test_bench_solids.py", "test_launcher.py", "test_environment_setup.py", "test_restorer.py",
+    "test_offline.py", "test_bad_inputs.py", "test_explore.py", "test_region.py",
 )  # fmt: skip
 
 

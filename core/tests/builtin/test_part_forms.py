@@ -146,3 +146,10 @@ def test_what_the_prompt_says_is_lacking_is_not_drawn_and_not_bent():
 def test_a_stop_signs_plate_and_rim_are_told_to_have_corners():
     parts = shipped_prior().prompted("a stop sign", "").of_object(0).parts()
     assert list(parts.forms.cornered) == [0, 1]
+
+
+def test_a_curved_hull_is_no_stack_of_outlines():
+    parts = shipped_prior().prompted("a canoe", "").of_object(0).parts()
+    assert parts
+    hulls = [one for one in parts.components if one.place.part in parts.forms.curved]
+    assert hulls and [one.primitive for one in hulls] == [None] * len(hulls)

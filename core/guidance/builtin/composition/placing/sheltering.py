@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 from torch import Tensor
 
 from core.guidance.builtin.composition.placing.placement import Body, Placement, sized
@@ -70,11 +70,8 @@ def _nearest_free(
 
 def _hits(box: Float[Tensor, "2 3"], obstacles: Sequence[Tensor]) -> bool:
     """Whether there is anything in a box."""
-    return any(bool(_within(box, verts).any()) for verts in obstacles)
-
-
-def _within(box: Float[Tensor, "2 3"], verts: Float[Tensor, "v 3"]) -> Bool[Tensor, " v"]:
-    return ((verts > box[0] + SUNK) & (verts < box[1] - SUNK)).all(1)
+    low, high = box[0] + SUNK, box[1] - SUNK
+    return any(bool(((verts > low) & (verts < high)).all(1).any()) for verts in obstacles)
 
 
 def _to_touch(

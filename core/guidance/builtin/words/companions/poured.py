@@ -48,9 +48,9 @@ _HEAPS = {
 HEAPED = {name: look for look, names in _HEAPS.items() for name in names.split(", ")}
 POURED = {name: look for look, names in _LIQUIDS.items() for name in names.split(", ")}
 _NAMES = "|".join(sorted(map(re.escape, (*HEAPED, *POURED)), key=len, reverse=True))
-_STATES = (
-    "hot|cold|warm|iced|fresh|steaming|creamy|clear|murky|bubbling|boiling|dark|rich|thick|foamy|"
-    "frothy|delicious|some|fluffy|brown|loose"
+_STATES = frozenset(
+    """hot cold warm iced fresh steaming creamy clear murky bubbling boiling dark rich thick foamy
+    frothy delicious some fluffy brown loose""".split()
 )
 _POURED = re.compile(
     r" (?:(?:completely |half )?(?:full|filled)(?: up)?(?: to the brim)? (?:of|with)|of|with|"
@@ -72,7 +72,7 @@ def poured_in(prompt: str, first_of: Callable[[str], str]) -> Iterator[Poured]:
     """The fillings that the prompt's first thing may have; of a colour, where one is stated."""
     for match in _POURED.finditer(prompt):
         what = match["what"].lower()
-        said = [word for word in match["look"].lower().split() if word not in _STATES.split("|")]
+        said = [word for word in match["look"].lower().split() if word not in _STATES]
         known = [LEXICON.get(word) for word in said]
         colored = bool(known) and all(one is not None and one[0] == "color" for one in known)
         before = prompt[: match.start()]
