@@ -254,7 +254,7 @@ class KnownParts:
         """Points of the drawn surface, and the part of each, where the exact one is: what stands on
         a table stands on its thin top."""
         found, wider = points.clone(), points.new_tensor(self.wider)
-        for index, component in enumerate(self.components):
+        for index, component in enumerate(self.components if self.sizes else ()):
             if (size := self._size(index)) is not None:
                 low, high = (found.new_tensor(end) for end in component.place[1:3])
                 wide = found * wider
@@ -280,6 +280,8 @@ class KnownParts:
     @property
     def is_thinner(self) -> bool:
         """Whether any component is thinner than it is drawn."""
+        if all(self.forms.thickness(part) == 1 for part in range(len(self.forms.flat))):
+            return False  # without asking for the components, which takes seconds
         return any(self.forms.thickness(one.place.part) != 1 for one in self.components)
 
     def near(

@@ -89,7 +89,7 @@ class Solid:
         x, y, z = (factor / by for factor, by in zip(stretch, wider, strict=True))
         while True:
             frame = frame_of(self.mesh[0], (x, y, z), swell, adjective == "round")
-            solid = replace(self, frame=frame, swell=swell)
+            solid = self._reframed(frame, swell)
             if not swell or solid.components <= self.components:
                 return solid
             swell = swell / 2 if swell > LEAST_SWELL else 0.0
@@ -100,7 +100,16 @@ class Solid:
         (x, y, z), scale = frame_of(verts)
         k, (a, b, c), (u, v, w) = scale[0], self.frame.center, self.frame.scale
         frame = Frame((a + x / u, b + y / v, c + z / w), (k * u, k * v, k * w))
-        return replace(self, frame=frame, swell=k * self.swell)
+        return self._reframed(frame, k * self.swell)
+
+    def _reframed(self, frame: Frame, swell: float) -> "Solid":
+        """The solid in another frame."""
+        solid = replace(self, frame=frame, swell=swell)
+        if swell == self.swell == 0:  # the surface moves with the frame
+            verts, faces = self.mesh
+            scale, center = (verts.new_tensor(of) for of in (self.frame.scale, self.frame.center))
+            vars(solid)["mesh"] = solid._placed(verts / scale + center), faces
+        return solid
 
     def sdf(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """Signed distance, negative inside, training units; less than the true one farther off than
@@ -114,9 +123,19 @@ class Solid:
     @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
         """The solid's surface on the network's lattice, as it may be slender."""
-        grid, nodes = _grid(), self._placed(_grid().tet_verts)
-        verts, faces, *_ = surface(self.sdf(nodes), grid.tet_verts, grid)
+        grid = _grid()
+        verts, faces, *_ = surface(self._at_nodes(grid), grid.tet_verts, grid)
         return self._placed(verts), faces
+
+    def _at_nodes(self, grid: TetGrid) -> Float[Tensor, " n"]:
+        """The signed distance at the lattice's nodes. A mirrored object is asked for one side only;
+        what else may be made of the network need not be mirrored."""
+        half = grid.resolution // 2
+        if type(self) is not Solid or not self.triplane.mirrored[0, 0]:
+            return self.sdf(self._placed(grid.tet_verts))
+        nodes = grid.tet_verts.view(*grid.shape, 3)[half:].reshape(-1, 3)
+        side = self.sdf(self._placed(nodes)).view(half + 1, *grid.shape[1:])
+        return torch.cat([side[1:].flip(0), side]).view(-1)
 
     def _placed(self, local: Float[Tensor, "n 3"]) -> Float[Tensor, "n 3"]:
         """The network's own points in the frame."""
