@@ -21,6 +21,7 @@ from scipy.sparse import csr_array
 from torch import Tensor
 
 from core.geometry.faces import areas_and_normals
+from core.kernels.normals import filtered_once, towards
 
 NORMAL_ROUNDS = 10  # of the normals, in one round of the filter
 VERTEX_ROUNDS = 15  # of the vertices after them
@@ -51,7 +52,7 @@ def flattened(
         # Two phases: new normals from the present shape, then vertices that follow them.
         normals = filtered(moved, around, sigma)
         for _ in range(VERTEX_ROUNDS):
-            moved = _towards(moved, normals, around)
+            moved = towards(moved, around.faces, normals, around.count)
     return torch.from_numpy(_sound(v, moved, f)).to(verts)
 
 
@@ -74,7 +75,7 @@ def following(
     target = filtered(v, around, sigma, mixed, FOLLOWING_NORMAL_ROUNDS)
     moved = v
     for _ in range(FOLLOWING_VERTEX_ROUNDS):
-        moved = _towards(moved, target, around)
+        moved = towards(moved, around.faces, target, around.count)
     return torch.from_numpy(_sound(v, moved, f)).to(verts)
 
 
@@ -94,32 +95,22 @@ class Around:
     one: Int[np.ndarray, " p"]  # pairs of faces that share a vertex, each in both orders,
     other: Int[np.ndarray, " p"]  # sorted by ``one``
     start: Int[np.ndarray, " f1"]  # of each face's pairs
-    corners: csr_array  # (V, 3F): the sum over the corners at a vertex
     count: Float[np.ndarray, " v"]  # faces at a vertex, 1 where there are none
 
     @classmethod
     def of(cls, faces: Faces, vert_count: int) -> "Around":
         """The tables of a mesh."""
         at, size = faces.reshape(-1), 3 * len(faces)
-        # Corner k of face f is column 3 f + k: a (3F, 3) table is summed by one product.
-        corners = csr_array((np.ones(size), (at, np.arange(size))), (vert_count, size))
         inside = csr_array((np.ones(size), (at, np.arange(size) // 3)), (vert_count, len(faces)))
         # Faces that share a vertex: the nonzeros of the incidence matrix times itself. Its
         # diagonal, each face with itself, goes out.
         pairs = (inside.T @ inside).tocoo()
         apart = pairs.row != pairs.col
         one, other = pairs.row[apart].astype(np.int64), pairs.col[apart].astype(np.int64)
-        # Sorted by ``one`` the pairs are the rows of a CSR matrix: mean() builds one without
-        # sorting.
         order = np.argsort(one, kind="stable")
         start = np.concatenate([[0], np.bincount(one, minlength=len(faces)).cumsum()])
         count = np.maximum(np.bincount(at, minlength=vert_count), 1).astype(float)
-        return cls(faces, one[order], other[order], start, corners, count)
-
-    def mean(self, weights: Float[np.ndarray, " p"], values: Normals) -> Normals:
-        """Σ_j w_ij x_j of each face i."""
-        shape = (len(self.faces), len(self.faces))
-        return csr_array((weights, self.other, self.start), shape) @ values
+        return cls(faces, one[order], other[order], start, count)
 
 
 def filtered(
@@ -136,22 +127,10 @@ def filtered(
     apart = np.linalg.norm(centres[around.one] - centres[around.other], axis=1)
     # The vertices rest while the normals change, so W_c is computed once.
     near = areas[around.other] * _gauss(apart, REACH * apart.mean())
+    normals = np.ascontiguousarray(normals)
     for _ in range(rounds):
-        # |n - m|² = 2 - 2 n · m
-        cosine = np.einsum("pk,pk->p", normals[around.one], normals[around.other])
-        # The last term is the face itself (j = i): at distance 0 from itself both weights are 1.
-        mean = around.mean(near * np.exp((cosine - 1) / sigma**2), normals)
-        mean += areas[:, None] * normals
-        normals = mean / np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-20)
+        normals = filtered_once(normals, areas, near, around.other, around.start, sigma)
     return normals
-
-
-def _towards(verts: Verts, normals: Normals, around: Around) -> Verts:
-    """The vertices, one step nearer to the planes of the faces around them (Sun et al., Eq. 9)."""
-    corners = verts[around.faces]
-    off = corners.mean(1, keepdims=True) - corners
-    step = np.einsum("fc,fkc->fk", normals, off)[:, :, None] * normals[:, None]
-    return verts + (around.corners @ step.reshape(-1, 3)) / around.count[:, None]
 
 
 def _sound(before: Verts, after: Verts, faces: Faces) -> Verts:

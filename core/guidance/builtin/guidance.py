@@ -19,6 +19,7 @@ from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
+from core.guidance.builtin.composition.appendages.appendage import alone
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.placing.wearing import freed
 from core.guidance.builtin.counted_solid import CountedSolid
@@ -29,6 +30,7 @@ from core.guidance.builtin.markings.markings import (
 )
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
 from core.guidance.builtin.nouns import solid_of
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.offered import (
     NETWORKS,
     PARTS,
@@ -192,6 +194,8 @@ class PromptedBuiltin(PromptedGuidance):
             if not any(found[-1].uncounted()):
                 break
         solid = min(found, key=lambda one: len(list(one.uncounted()))).fitting().solid
+        if words.noun in APPENDAGES:
+            solid = alone(words, solid)
         return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":

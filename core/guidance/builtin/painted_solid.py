@@ -14,7 +14,7 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.bodywork import bodywork_of
 from core.guidance.builtin.composition.clothes.clothing import Garment
-from core.guidance.builtin.composition.glass.vessel import Vessel
+from core.guidance.builtin.composition.exact import ExactSolid
 from core.guidance.builtin.composition.placing.placement import EYES
 from core.guidance.builtin.counted_solid import CountedSolid, counted_solid
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
@@ -80,7 +80,7 @@ class PaintedSolid:
         """Its parts; a part that an adjective makes oval is not round."""
         noun = self.words.noun
         flat, around, least = part_forms_table()[noun]
-        if isinstance(self.solid, Vessel):
+        if isinstance(self.solid, ExactSolid):
             return self.solid.known
         if isinstance(self.solid, Garment):  # it has its wearer's form
             soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)

@@ -21,6 +21,7 @@ from core.geometry.parts.components import Component
 from core.geometry.parts.forms import Forms
 from core.geometry.tet_grid import EXTENT
 from core.guidance.builtin.areas import AreaFields, Field, Heights, SolidAreas
+from core.guidance.builtin.composition.appendages.appendage import grown
 from core.guidance.builtin.composition.clothes.clothing import dressed
 from core.guidance.builtin.composition.filling import filled
 from core.guidance.builtin.composition.glass.enclosing import enclosed, inside_of
@@ -86,6 +87,7 @@ class Composed(PromptedGuidance):
             return self
         drawn, bodies, holds = filled(drawn, bodies, self.relations)
         drawn, bodies, fits = dressed(drawn, bodies, self.relations)
+        drawn, bodies = grown(drawn, bodies, self.relations)
         fits = [a and b for a, b in zip(fits, holds, strict=True)]
         drawn, bodies, unposed = in_poses(drawn, bodies, self.relations)
         drawn, bodies = seated(drawn, bodies, self.relations)

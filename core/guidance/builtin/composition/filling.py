@@ -10,8 +10,8 @@ from jaxtyping import Float
 
 from core.geometry.init_shape import sample_surface
 from core.geometry.parts.primitives import Primitive, packed
-from core.guidance.builtin.composition.glass.vessel import Vessel
-from core.guidance.builtin.composition.glass.vessels import UPRIGHT, Shape
+from core.guidance.builtin.composition.exact import ExactSolid
+from core.guidance.builtin.composition.glass.vessels import UPRIGHT
 from core.guidance.builtin.composition.placing.placement import Body, Placement, training_size
 from core.guidance.builtin.composition.placing.resting import OVER_THE_RIM
 from core.guidance.builtin.composition.thing import Thing
@@ -62,8 +62,8 @@ def _filling(thing: Thing, body: Body, vessel: Body) -> tuple[Thing, Body] | Non
         lengths = scale * np.array([*(WIDE * half), top])
         solids.append(Primitive("ellipsoid", center, UPRIGHT, lengths))
     names = tuple(looks(body.words.noun))
-    shape = Shape("", {names[0]: solids}, solids[0])
-    solid = Vessel(thing.solid.net, thing.solid.triplane, shape=shape, names=names)
+    exact = {"solids": {names[0]: solids}, "names": names}
+    solid = ExactSolid(thing.solid.net, thing.solid.triplane, **exact)
     place = Placement.of().then(scale, shift).inverted()
     return thing.with_solid(solid), replace(solid.body(body.words), rests=place)
 

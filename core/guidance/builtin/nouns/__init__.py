@@ -5,6 +5,7 @@ The solids that they are made of are in ``core/prior/things``, for training alon
 
 from core.guidance.builtin.nouns.adventure_props import ADVENTURE_PROPS
 from core.guidance.builtin.nouns.aircraft_and_space import AIRCRAFT_AND_SPACE
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.nouns.birds import BIRDS
 from core.guidance.builtin.nouns.boats_and_ships import BOATS_AND_SHIPS
 from core.guidance.builtin.nouns.bread_and_sweets import BREAD_AND_SWEETS
@@ -80,7 +81,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Aircraft and Space": AIRCRAFT_AND_SPACE,
     "Buildings": HOUSES | LANDMARKS | STREET_AND_PLAYGROUND,
     "Electronics": COMPUTERS_AND_GAME_MACHINES | PHONES_CAMERAS_AND_AUDIO | ELECTRIC_MACHINES,
-    "Clothes": CLOTHES_AND_SHOES | HATS_BAGS_AND_JEWELLERY,
+    "Clothes": CLOTHES_AND_SHOES | HATS_BAGS_AND_JEWELLERY | APPENDAGES,
     "Sport": SPORT,
     "Tools and Toys": HAND_TOOLS | TOYS_AND_GAMES,
     "Instruments": INSTRUMENTS,

@@ -303,7 +303,7 @@ COMMON_WILD_ANIMALS = {
         Usual(0.02, FLESH, 0.24),
     ),
     "butterfly": Noun(
-        "butterflies; moth, monarch butterfly, butterfly wings",
+        "butterflies; moth, monarch butterfly",
         {
             "wings": "*ee7d1a",
             "edges": "+1f1a17",

@@ -29,6 +29,7 @@ from core.guidance.builtin.words.companions.known_as import ON_BODIES, is_dresse
 from core.guidance.builtin.words.companions.offspring import parents_named
 from core.guidance.builtin.words.companions.passives import as_phrase, made_active
 from core.guidance.builtin.words.companions.rephrasing import (
+    grown_last,
     roof_first,
     snake_first,
     tree_first,
@@ -177,7 +178,8 @@ def parse(
     prompt = apart_from_texts(prompt, lambda text: as_made_of(in_known_words(in_toppings(text))))
     prompt = apart_from_texts(prompt, in_cut_words)
     prompt = of_no_picture(asked_for(prompt))
-    prompt = roof_first(tree_first(snake_first(apart_from_texts(prompt, turned_around))))
+    prompt = apart_from_texts(grown_last(prompt), turned_around)
+    prompt = roof_first(tree_first(snake_first(prompt)))
     prompt = made_active(as_phrase(parents_named(MINE.sub("", prompt))))
     bunched = apart_from_texts(prompt, in_bunches)
     words = as_bouquet(_of_thing(bunched, known, ignore_unknown), prompt)

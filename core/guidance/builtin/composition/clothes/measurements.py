@@ -74,10 +74,8 @@ class Measurements:
         """Of a drawn body."""
         head, dressed = head_of(body), body.without(*BARE)
         skin = _skin(parts, body.words.noun)
-        sides = dressed.amax(0) - dressed.amin(0)
-        ahead = float(dressed[:, 1].mean() - head.middle[1])
-        stands = ahead < OVERHEAD * float(sides[2]) and bool(sides[2] > TALL * sides[1])
-        return (cls._upright if stands else cls._on_all_fours)(body, head, dressed, skin)
+        make = cls._upright if stands_upright(dressed, head) else cls._on_all_fours
+        return make(body, head, dressed, skin)
 
     @classmethod
     def _upright(
@@ -193,6 +191,13 @@ def _walks(body: Body, apart: bool) -> bool:
     """Whether shoes fit: with legs that are ``apart``, or with parts that are feet."""
     has_feet = apart or len(body.of_parts(*FEET)) > 0
     return has_feet and body.words.noun not in CRAWLING
+
+
+def stands_upright(dressed: Float[Tensor, "n 3"], head: Head) -> bool:
+    """Whether a body, as its points without what goes through cloth, is not on all fours."""
+    sides = dressed.amax(0) - dressed.amin(0)
+    ahead = float(dressed[:, 1].mean() - head.middle[1])
+    return ahead < OVERHEAD * float(sides[2]) and bool(sides[2] > TALL * sides[1])
 
 
 def _arms(

@@ -30,7 +30,7 @@ Profile = Sequence[tuple[float, float, float]]  # radius, height and rounding of
 class Shape:
     """A vessel's solids by part of its noun; one part is of glass and hollow."""
 
-    glass: str  # "": none
+    glass: str
     parts: Mapping[str, Sequence[Primitive]]
     room: Primitive  # what the glass is around
     middle: tuple[float, float] = (0.0, 0.0)  # of the room, where things stand

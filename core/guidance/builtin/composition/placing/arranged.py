@@ -27,7 +27,7 @@ from core.guidance.builtin.composition.placing.resting import (
 )
 from core.guidance.builtin.composition.placing.sheltering import sheltered
 from core.guidance.builtin.composition.placing.wearing import worn
-from core.guidance.builtin.words.companions.known_as import CLOTHING, CONTAINERS, EDIBLE, FLOWERS
+from core.guidance.builtin.words.companions.known_as import CONTAINERS, EDIBLE, FITTED, FLOWERS
 from core.guidance.builtin.words.companions.search import Relation
 
 EACH = ("wears", "holds", "fills")  # relations of each copy by itself
@@ -118,7 +118,7 @@ def _placed(first: Body, others: Sequence[tuple[Relation, Body]]) -> list[Placem
             place = held(other, there.standing or there, held_already)
             found.append(_carried(place, there))
             held_already = True
-        elif how == "wears" and other.words.noun not in CLOTHING:
+        elif how == "wears" and other.words.noun not in FITTED:
             wearer = there.standing if there.standing and there.carried else there
             found.append(_carried(worn(other, wearer), there))
         elif how in APART:  # each of them by itself

@@ -10,12 +10,13 @@ from torch import Tensor
 
 from core.guidance.builtin.composition.placing.placement import EYES, Body, Placement, sized
 from core.guidance.builtin.composition.placing.resting import spot_on
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.companions.known_as import (
     AROUND_NECKS,
-    CLOTHING,
     EYEWEAR,
     FACES,
+    FITTED,
     HEADWEAR,
     ON_BACKS,
 )
@@ -76,7 +77,7 @@ class Head(NamedTuple):
 def worn(item: Body, wearer: Body) -> Placement:
     """The placement of a worn thing."""
     noun = item.words.noun
-    if noun in CLOTHING:  # it is cut to the wearer
+    if noun in FITTED:  # it is cut to the wearer
         return Placement.of()
     head = head_of(wearer)
     if noun == "headphones":
@@ -258,10 +259,13 @@ def _top_of(body: Body, rest: Float[Tensor, "n 3"]) -> Head:
 
 
 def freed(words: Words, relations: Iterable[tuple[Relation, Words]]) -> Words:
-    """``words`` without a hat of the thing's own, where it wears another, without the thing in a
-    hand that holds something else, and without a cover where it is loaded."""
+    """``words`` without a hat or wings of the thing's own, where it wears others, without the thing
+    in a hand that holds something else, and without a cover where it is loaded."""
+    relations = list(relations)
     does = [(how, other.noun in HEADWEAR) for how, other in relations]
-    gone = OWN_HATS if ("wears", True) in does else ()
+    grown = [other.noun for how, other in relations if how == "wears" and other.noun in APPENDAGES]
+    gone = tuple(noun.split()[-1] for noun in grown)  # "an angel with bat wings"
+    gone += OWN_HATS if ("wears", True) in does else ()
     gone = (*gone, IN_HAND.get(words.noun, "")) if "holds" in dict(does) else gone
     gone = (*gone, COVERS.get(words.noun, "")) if "bears" in dict(does) else gone
     own = [name for name in looks(words.noun) if name in gone]

@@ -9,7 +9,8 @@ from core.guidance.builtin.composition.poses.figure_poses import STRAIGHT, poses
 from core.guidance.builtin.composition.poses.posing import Pose, Posed
 from core.guidance.builtin.composition.poses.sitting import LEGWEAR, posture_of
 from core.guidance.builtin.composition.thing import Thing
-from core.guidance.builtin.words.companions.known_as import CLOTHING
+from core.guidance.builtin.nouns.appendages import APPENDAGES
+from core.guidance.builtin.words.companions.known_as import FITTED
 from core.guidance.builtin.words.companions.search import Relation
 from core.guidance.builtin.words.phrases.poses import FIGURES
 
@@ -18,7 +19,12 @@ IN_DRESS = "left out, as the dress has no legs."
 SEATED = "left out, as it sits on something else."
 WITHIN = "left out, as it is in something else."
 WIDE = 1.2  # times as wide as deep: one lies across it
-OFF_LEGS = frozenset("scarf cape belt".split()) | {"dog collar"}  # clothes without sleeves
+# Clothes without sleeves, and what grows on a trunk.
+OFF_LEGS = (
+    frozenset("scarf cape belt".split())
+    | {"dog collar"}
+    | {noun for noun in APPENDAGES if noun.endswith(("wings", "tail"))}
+)
 PADDED = 0.04  # training units: by how much clothes go beyond an animal's legs
 
 
@@ -33,7 +39,7 @@ def in_poses(
         if not words.pose:
             continue
         worn = [k for k, how in enumerate(relations, 1) if how == "wears" and not index]
-        clothes = [k for k in worn if bodies[k].words.noun in CLOTHING]
+        clothes = [k for k in worn if bodies[k].words.noun in FITTED]
         seat = not index and _has_seat(bodies, relations)
         in_dress = any(bodies[k].words.noun == "dress" for k in clothes)
         if words.noun in FIGURES and seat:  # ``seated`` poses it

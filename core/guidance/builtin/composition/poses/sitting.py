@@ -25,7 +25,7 @@ from core.guidance.builtin.composition.poses.seats import (
 )
 from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.words.companions.known_as import CLOTHING, SEATS
+from core.guidance.builtin.words.companions.known_as import FITTED, SEATS
 from core.guidance.builtin.words.companions.search import Relation
 from core.guidance.builtin.words.tables.living import is_animal
 
@@ -91,7 +91,7 @@ def seated(
         things[0] = Posed(drawn[0], bare)
         found[0] = replace(bare.body(first), rests=seat.place.moved(by), standing=first)
         for k in worn:
-            if (noun := bodies[k].words.noun) in CLOTHING:
+            if (noun := bodies[k].words.noun) in FITTED:
                 pose = clothed if noun in LEGWEAR else bare
                 things[k], found[k] = Posed(drawn[k], pose), pose.body(bodies[k])
         break

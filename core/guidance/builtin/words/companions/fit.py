@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.words.companions import known_as
 from core.guidance.builtin.words.companions.known_as import is_dressed
 from core.guidance.builtin.words.grammar.findings import with_article
@@ -94,7 +95,8 @@ def fitting(
         return None
     if relation == "in":
         phrase = known_as.as_container(phrase)
-    if weak and relation == "wears" and not is_dressed(first):
+    grows = named_in(phrase) in APPENDAGES
+    if weak and relation == "wears" and not (is_dressed(first) or grows):
         return None
     if "one leg" in OPTIONS.get(first, ()) and _PEDESTAL.search(phrase):
         return None
@@ -120,6 +122,8 @@ def fitting(
     # Another kind of hat replaces its own; "a hat" does not.
     own = owns(first, other) or owns(first, got.entry.form)  # a mushroom's cap
     another = relation == "wears" and other in known_as.HEADWEAR and not own
+    kind, _, of = got.entry.form.rpartition(" ")  # "an angel with bat wings", "a dog with cat ears"
+    another |= other in APPENDAGES and bool(kind) and bool(of) and kind != first
     added = relation == "wears" and known_as.is_put_on(first, other)
     # "With white socks" is of a horse's legs, and "wearing socks" of its clothes.
     added = added or (relation == "wears" and is_worn and is_asked(first, got.entry.form))

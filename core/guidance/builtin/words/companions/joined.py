@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from core.guidance.builtin.words.companions.fit import Found
-from core.guidance.builtin.words.companions.known_as import CLOTHING
+from core.guidance.builtin.words.companions.known_as import CLOTHING, FITTED
 from core.guidance.builtin.words.grammar.accents import Accent
 from core.guidance.builtin.words.grammar.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.grammar.part_names import owns
@@ -52,9 +52,10 @@ def _of_suits(words: Words, found: Iterable[Found]) -> Iterator[Accent]:
 def _matched(first: Words, found: Found) -> Words:
     """Companions of a statue have its material, unless one is stated."""
     words = found.words
-    if found.relation == "wears" and words.noun in CLOTHING:  # it is as large as its wearer
+    if found.relation == "wears" and words.noun in FITTED:  # it is as large as its wearer
         notes = tuple(note for note in words.notes if not note.endswith((*ITS_SIZE, *SHAPED)))
-        words = replace(words, scale=1.0, size=None, shape="", notes=notes)
+        scale = 1.0 if words.noun in CLOTHING else words.scale  # "huge wings"
+        words = replace(words, scale=scale, size=None, shape="", notes=notes)
     joined = found.relation in ("wears", "holds") or is_creature(words.noun)
     if not (first.is_statue and joined) or _states_look(found.phrase):
         return words

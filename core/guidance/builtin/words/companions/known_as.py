@@ -6,6 +6,7 @@ Standard library only.
 import re
 
 from core.guidance.builtin.nouns import GROUPS, NOUNS
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.words.companions.glassware import may_enclose
 from core.guidance.builtin.words.grammar.openers import Relation
 from core.guidance.builtin.words.grammar.part_names import owns
@@ -27,7 +28,8 @@ CLOTHING = frozenset(
     "jacket shirt dress trousers belt chestplate boot sneaker sandal sock scarf cape".split()
 ) | {"high heel", "dog collar"}
 ON_BODIES = frozenset(("shirt", "jacket", "dress", "chestplate"))  # one is worn
-WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | CLOTHING | {"headphones"}
+FITTED = CLOTHING | frozenset(APPENDAGES)  # they are made on their wearer
+WORN = HEADWEAR | EYEWEAR | FACES | AROUND_NECKS | ON_BACKS | FITTED | {"headphones"}
 # There is room on the ground under them, or at their foot.
 ROOFS = frozenset(
     (
@@ -246,6 +248,8 @@ def may_coil(first: str, other: str) -> bool:
 
 def may_wear(first: str, other: str) -> bool:
     """Whether the first thing may wear the other, and has nothing there."""
+    if other in APPENDAGES:  # a lion, a sneaker, a house
+        return first not in APPENDAGES
     covered = other in ("helmet", "gas mask") and owns(first, "visor")
     if other in CLOTHING and not is_dressed(first):
         return False

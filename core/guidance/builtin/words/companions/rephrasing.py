@@ -7,7 +7,9 @@ Standard library only.
 import re
 
 from core.guidance.builtin.words.companions.known_as import ROOFS, may_coil
+from core.guidance.builtin.words.grammar.lexicon import SLOTS, look_up
 from core.guidance.builtin.words.grammar.openers import named_in
+from core.guidance.builtin.words.grammar.part_names import owns
 from core.guidance.builtin.words.tables.living import is_creature
 
 # These are in a tree's branches, as animals are.
@@ -107,6 +109,14 @@ _DECORATED = re.compile(
     rf"with (?P<what>an? (?:(?!\b(?:on|in|inside|and|wrapped|around)\b)[^,.;])+?){_END}",
     re.IGNORECASE,
 )
+_WINGED = re.compile(
+    r"^(?P<before>\s*(?:(?:an?|the|two|three|some) )?(?:[\w-]+ ){0,4}?)"
+    r"(?P<how>winged|horned|antlered) (?P<rest>(?:(?!\b(?:with|wearing|holding|carrying|riding|"
+    r"sitting|standing|on|in|and)\b)[^,.;])+?)"
+    r"(?= (?:with|wearing|holding|carrying|riding|sitting|standing|on|in|and)\b|[,.;]|$)",
+    re.IGNORECASE,
+)
+_HAVING = {"winged": "wings", "horned": "horns", "antlered": "antlers"}
 _COILED = re.compile(
     r"^(?P<of>\s*(?:an?|the) [^,.]+?) with (?P<what>an? [^,.]+?) "
     r"(?:(?:coiled|wrapped|curled|twisted|entwined|winding|coiling|wrapping|twined)(?: up)? )?"
@@ -126,6 +136,19 @@ def _as_picture(found: re.Match[str]) -> str:
     """ "A vase with a dragon": a creature is a picture on it."""
     what = found["what"]
     return f"{found['of']} with {what} on it" if is_creature(named_in(what)) else found[0]
+
+
+def grown_last(prompt: str) -> str:
+    """A "winged lion" as "a lion with wings", if a lion has none by itself."""
+    found = _WINGED.match(prompt)
+    if found is None:
+        return prompt
+    how, rest = found["how"].lower(), found["rest"]
+    noun, part = named_in(rest), _HAVING[how]
+    if not noun or look_up(f"{how} {rest}".lower(), SLOTS):  # a winged horse is a pegasus
+        return prompt
+    having = "" if owns(noun, part) else f" with {part}"
+    return f"{found['before']}{rest}{having}{prompt[found.end() :]}"
 
 
 def snake_first(prompt: str) -> str:

@@ -110,8 +110,12 @@ LYING: dict[str, Order] = {
 # Their plural names one thing, or the thing has several by itself.
 SEVERAL = frozenset(
     """headphones trousers sunglasses scissors grapes fries pancakes maracas binoculars pliers
-    goggles crystal popcorn salad ramen pawn""".split()
-) | {"stack of books", "bamboo plant", "drum kit", "hay bale"}
+    goggles crystal popcorn salad ramen pawn wings horns antlers""".split()
+) | {
+    *("stack of books", "bamboo plant", "drum kit", "hay bale"),
+    *("bat wings", "butterfly wings", "fairy wings", "devil horns", "ram horns"),
+    *("cat ears", "fox ears", "bunny ears"),
+}
 SAY_LITTLE = ("pair", "some", "bunch")  # of these
 DOUBLE = frozenset(("cherry",))  # it is two on one stalk
 PAIRED = frozenset("boot sneaker sandal sock glove".split()) | {

@@ -1,0 +1,102 @@
+"""A thing of a composition whose parts are solids that are known exactly: it is not drawn."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+import torch
+from jaxtyping import Float, Int
+from torch import Tensor
+
+from core.geometry.lattice import Lattice
+from core.geometry.parts.assembly import KnownParts
+from core.geometry.parts.components import Component, Mesh, Place
+from core.geometry.parts.forms import Forms
+from core.geometry.parts.primitives import Primitive
+from core.guidance.builtin.composition.placing.placement import Body
+from core.guidance.builtin.solid import FAR, Solid
+from core.guidance.builtin.solid_net import PARTS
+from core.guidance.builtin.words.phrases.slots import Words
+
+EDGE = 0.05  # training units: of the meshes' flat faces
+ERROR = 0.02  # training units
+
+
+@dataclass(frozen=True)
+class ExactSolid(Solid):
+    """Simple solids by part of its noun, training units."""
+
+    solids: Mapping[str, Sequence[Primitive]] = field(kw_only=True)
+    names: tuple[str, ...] = field(kw_only=True)  # of the noun's parts
+
+    @torch.no_grad()
+    def distances(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n 8"]:
+        """Each part's signed distance."""
+        far = torch.full_like(points[:, 0], FAR)
+        columns = [self.away(n, points) if self.solids.get(n) else far for n in self.names]
+        return torch.stack([*columns, *[far] * (PARTS - len(columns))], 1)
+
+    def away(self, name: str, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
+        """The signed distance from the part of that name."""
+        return torch.stack([one.distance(points) for one in self.solids[name]]).amin(0)
+
+    def surface_of(self, one: Primitive) -> Mesh:
+        """A solid's surface."""
+        return one.mesh(EDGE)
+
+    @cached_property
+    def known(self) -> "ExactParts":
+        """Its parts, each with its exact surface."""
+        return ExactParts(self)
+
+    @cached_property
+    def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
+        """The surfaces of all its solids."""
+        meshes = [self.known.surface_of(k) for k in range(len(self.known.components))]
+        starts = np.cumsum([0, *(len(verts) for verts, _ in meshes)])
+        faces = [f + int(start) for (_, f), start in zip(meshes, starts, strict=False)]
+        return torch.cat([verts for verts, _ in meshes]).float(), torch.cat(faces)
+
+    def body(self, words: Words) -> Body:
+        """As placing needs to know it."""
+        each = self.known.components
+        part = [torch.full((len(one.verts),), one.place.part) for one in each]
+        body = Body(words, *self.mesh, torch.cat(part))
+        size = words.size
+        longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
+        return replace(body, metres=longest / body.longest)
+
+
+class ExactParts(KnownParts):
+    """The parts of such a thing."""
+
+    def __init__(self, solid: ExactSolid) -> None:
+        self.solid = solid
+        count = len(solid.names)
+        super().__init__(solid.distances, Forms((0.0,) * count, ((0.0,) * count,) * 3))
+
+    @cached_property
+    def components(self) -> list[Component]:
+        """Each solid of each part."""
+        each = enumerate(self.solid.names)
+        return [
+            self._component(k, one) for k, name in each for one in self.solid.solids.get(name, ())
+        ]
+
+    def _component(self, part: int, one: Primitive) -> Component:
+        verts, faces = self.solid.surface_of(one)
+        ends = [end.double().numpy() for end in (verts.amin(0), verts.amax(0))]
+        here = Place(part, *ends, lambda points: torch.zeros(len(points), dtype=torch.bool))
+        lattice = Lattice(np.zeros((1, 1, 1)), ends[0], EDGE)
+        return Component(here, verts.float(), faces, lattice, ERROR)
+
+    def surface_of(self, index: int, exact: bool = True) -> Mesh:
+        """A solid's surface."""
+        del exact  # it is, always
+        component = self.components[index]
+        return component.verts, component.faces
+
+    def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
+        """The parts' distances."""
+        return self.solid.distances(points)[:, : len(self.solid.names)]
