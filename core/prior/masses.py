@@ -7,7 +7,12 @@ from pathlib import Path
 
 import torch
 
+from core.geometry.mesh import signed_volume
+from core.geometry.union import union
+from core.guidance.builtin.composition.appendages.appendage import solids_of
+from core.guidance.builtin.composition.exact import EDGE
 from core.guidance.builtin.nouns import GROUPS
+from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.words.tables.sizes import usual
 from core.prior.draw import Draw
@@ -28,6 +33,8 @@ data is in `core/guidance/builtin/nouns/` and, of such kinds, in `words/tables/k
 
 def usual_mass(noun: str, side: int = 40) -> float:
     """The mass in kilograms of the prior's own solid at the noun's usual size."""
+    if noun in APPENDAGES:
+        return _exact_mass(noun)
     axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
     cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
     wider = known_wider(noun)  # or its walls would be between the cells
@@ -37,6 +44,15 @@ def usual_mass(noun: str, side: int = 40) -> float:
     longest = float(((inside.amax(0) - inside.amin(0) + step) / by).max())
     size, density = usual(noun)
     return len(inside) * (step * size / longest) ** 3 * density / float(by.prod())
+
+
+def _exact_mass(noun: str) -> float:
+    """That of what no network draws; it is too thin for cells."""
+    meshes = [one.mesh(EDGE) for own in solids_of(noun).values() for one in own]
+    verts, faces = union(meshes, 0.0)
+    size, density = usual(noun)
+    longest = float((verts.amax(0) - verts.amin(0)).max())
+    return float(signed_volume(verts, faces)) * (size / longest) ** 3 * density
 
 
 def cell(noun: str) -> str:

@@ -60,6 +60,11 @@ def counted(words: Words) -> tuple[str, int, str]:
         ("socks", "sock", 2, "row"),
         ("roller skates", "roller skate", 2, "row"),
         ("three cherries", "cherry", 2, "row"),  # of which one is two
+        ("red balloons", "red balloon", 3, "row"),
+        ("mushrooms", "mushroom", 3, "row"),
+        ("old gold coins", "worn golden coin", 3, "row"),
+        ("cats on a sofa", "cat", 3, "row"),
+        ("a deck of cards", "playing card", 5, "stack"),
         ("a pile of gold coins", "golden coin", 7, "heap"),
         ("a huge pile of treasure", "golden coin", 7, "heap"),
         ("a heap of skulls", "skull", 7, "heap"),
@@ -96,7 +101,10 @@ def test_several_are_made(prompt, thing, count, order):
 @pytest.mark.parametrize(
     ("prompt", "thing"),
     [
-        ("apples", "apple"),
+        ("my apples", "apple"),
+        ("stairs", "staircase"),
+        ("bunk beds", "bunk bed"),
+        ("statues of lions", "lion"),
         ("one apple", "apple"),
         ("a sneaker", "sneaker"),
         ("a cowboy boot", "boot"),

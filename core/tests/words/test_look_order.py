@@ -181,7 +181,7 @@ def test_a_part_is_named_as_people_do(prompt, thing, said):
         ("girls pink backpack", "backpack", "pink"),
         ("viking round blue shield", "shield", "blue"),
         ("street lamp victorian black", "street lamp", "black"),
-        ("a dragon's red wings", "dragon", None),
+        ("a dragon's red wings", "bat wings", "red"),
         ("an apple green tree", "tree", "apple green"),
         ("a book about red dragons", "book", None),
     ],

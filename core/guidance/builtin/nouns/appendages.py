@@ -19,19 +19,19 @@ APPENDAGES = {
         "vampire wings, pterodactyl wings",
         {"wings": "*6a2f35 . leather", "arms": "&3a2229 . leather"},
         Usual(1.3, LEATHER, 0.3),
-        "butterfly",
+        "cape",
     ),
     "butterfly wings": Noun(
         "monarch wings; insect wings, moth wings, bug wings",
         {"wings": "*ee7d1a", "edges": "+1f1a17"},
         _WINGS,
-        "butterfly",
+        "cape",
     ),
     "fairy wings": Noun(
         "pixie wings, gossamer wings; dragonfly wings, bee wings",
         {"wings": "*c4e6f6", "edges": "&7fb4dc"},
         _WINGS,
-        "butterfly",
+        "cape",
     ),
     "horns": Noun(
         "bull horns, ox horns, cow horns; buffalo horns, bison horns, viking horns",

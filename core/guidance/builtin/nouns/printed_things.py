@@ -103,8 +103,7 @@ PRINTED_THINGS = {
         "envelope",
     ),
     "playing card": Noun(
-        "ace of hearts, poker card, game card, ace card; ace of spades, trading "
-        "card, deck of cards",
+        "ace of hearts, poker card, game card, ace card; ace of spades, trading card",
         {
             "paper": "*f8f6f0",
             "pips": "-cc1f2f",

@@ -30,7 +30,7 @@ _IDIOMS = {
         r"\g<of>"
     ),
     r"(?:magic |magical )?flying broom": "broom",
-    r"pack of (?:playing )?cards": "deck of cards",
+    r"(?:pack|deck) of (?:playing )?cards": "stack of playing cards",
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
     r"jelly ?beans": "pink eggs",

@@ -25,7 +25,7 @@ from core.guidance.builtin.words.companions.fit import Found, Read, Reader
 from core.guidance.builtin.words.companions.gathering import in_a_row
 from core.guidance.builtin.words.companions.glassware import usual_of_whole
 from core.guidance.builtin.words.companions.joined import with_companions, without_look
-from core.guidance.builtin.words.companions.known_as import ON_BODIES, is_dressed
+from core.guidance.builtin.words.companions.known_as import FLOWERS, ON_BODIES, is_dressed
 from core.guidance.builtin.words.companions.offspring import parents_named
 from core.guidance.builtin.words.companions.passives import as_phrase, made_active
 from core.guidance.builtin.words.companions.rephrasing import (
@@ -42,6 +42,7 @@ from core.guidance.builtin.words.companions.toppings import (
     with_its_liquid,
     without_replaced,
 )
+from core.guidance.builtin.words.grammar.counts import is_plain_plural
 from core.guidance.builtin.words.grammar.findings import Findings
 from core.guidance.builtin.words.grammar.lexicon import LEXICON, MEANT, SLOTS, Vocabulary
 from core.guidance.builtin.words.grammar.made_of import as_made_of
@@ -65,6 +66,7 @@ from core.guidance.builtin.words.phrases.poses import in_a_word, pose_of
 from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.builtin.words.phrases.styles import style_of
 from core.guidance.builtin.words.phrases.written import apart_from_texts
+from core.guidance.builtin.words.tables.count_words import FEW
 from core.guidance.builtin.words.tables.sorts import sort_of
 from core.guidance.builtin.words.tables.words import ARTICLES, GLASSWARE, PLAIN, WEATHERS
 
@@ -288,6 +290,10 @@ def _parsed(
         if not more or shorter_words.noun != words.noun:
             break
         companions, rest, words = [*companions, *more], shorter, shorter_words
+    bunched = companions and words.noun in FLOWERS  # ``as_bouquet`` counts these
+    one = words.count == 1 and words.order == "row" and not words.is_statue
+    if one and not bunched and is_plain_plural(rest):
+        words = replace(words, count=FEW)
     if companions:
         others = [(one.relation, one.words.noun) for one in companions]
         return with_companions(in_a_vessel(words, rest, others), companions)

@@ -36,15 +36,21 @@ def grown(
 
 
 def alone(words: Words, drawn: Solid) -> ExactSolid:
-    """The appendages of nothing, joined, in the place and size in which things are drawn."""
+    """The appendages of nothing."""
+    return _exact(words, drawn, solids_of(words.noun))
+
+
+def solids_of(noun: str) -> Mapping[str, Sequence[Primitive]]:
+    """The solids of appendages of nothing, joined, in the place and size in which things are
+    drawn."""
     mount = Mount.alone()
-    meshes = [one.mesh(EDGE)[0] for own in _joined(words, mount).values() for one in own]
+    meshes = [one.mesh(EDGE)[0] for own in _joined(noun, mount).values() for one in own]
     scale, shift = training_size(torch.cat(meshes).float())
-    return _exact(words, drawn, _joined(words, mount.moved(scale, shift.double().numpy())))
+    return _joined(noun, mount.moved(scale, shift.double().numpy()))
 
 
-def _joined(words: Words, mount: Mount) -> Mapping[str, Sequence[Primitive]]:
-    return joined_alone(SHAPES[words.noun](mount), mount)
+def _joined(noun: str, mount: Mount) -> Mapping[str, Sequence[Primitive]]:
+    return joined_alone(SHAPES[noun](mount), mount)
 
 
 def _exact(words: Words, drawn: Solid, parts: Mapping[str, Sequence[Primitive]]) -> ExactSolid:

@@ -214,7 +214,7 @@ def _curled(mount: Mount) -> Parts:
     angle = 0.5 * np.pi - CURLED * t  # from the top to the rear, down and forward
     grown = CURL * (1 - 0.35 * t)
     y, z = grown * np.cos(angle), grown * np.sin(angle) - CURL
-    nodes = np.stack([CURL_OUT * t, y, z, 0.12 - 0.105 * t], 1)
+    nodes = np.stack([CURL_OUT * t, y, z, 0.12 - 0.105 * t], 1).tolist()
     return {"horns": [*_paired(mount, [nodes])]}
 
 

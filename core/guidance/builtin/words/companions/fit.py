@@ -29,6 +29,7 @@ _PLACING = ("on", "in")  # a thing has one of these
 USING = ("using", "uses")
 # Done with a thing in one's hands or under one's feet, or next to it: "playing" a flute or a piano.
 BY_IT_TOO = ("playing", "plays", "play", "eating", "eats", "reading", "reads", *USING)
+BY_IT_TOO += ("hugging", "hugs", "embracing", "lifting", "swinging")
 BY_IT_TOO += ("jumping", "jumps", "leaping", "leaps", "bounding", "vaulting", "hopping")
 _DRIVING = ("driving", "drives", "drive")
 _PEDESTAL = re.compile(r"\bpedestal$", re.IGNORECASE)  # a table's is its leg

@@ -7,10 +7,11 @@ import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from core.guidance.builtin.words.grammar.lexicon import singulars
+from core.guidance.builtin.words.grammar.lexicon import SLOTS, singulars
 from core.guidance.builtin.words.grammar.tokens import LONGEST, Tokens
 from core.guidance.builtin.words.tables.count_words import (
     ALIKE,
+    AS_ONE,
     BOXES,
     CAIRNS,
     CIRCLED,
@@ -140,6 +141,19 @@ def is_many(tokens: Tokens) -> bool:
     """Whether they name several of a thing, with a number or without."""
     head = _head(tokens, 0)
     return head is not None and head.is_plural
+
+
+def is_plain_plural(phrase: str) -> bool:
+    """Whether it begins with several of a thing and no number: "old books", "cats on a sofa"."""
+    tokens = Tokens.of(phrase, SLOTS)
+    head = _head(tokens, 0)
+    if head is None or not head.is_plural or not head.name(tokens).endswith("s"):
+        return False
+    before, noun = tokens.words[: head.begin], tokens.thing(head.name(tokens))
+    *names, last = head.name(tokens).split()
+    single = any(tokens.thing(" ".join([*names, one])) == noun for one in singulars(last)[1:])
+    is_one = noun in AS_ONE or noun.endswith("s") or not {*ARTICLES, *OWN}.isdisjoint(before)
+    return single and not is_one and not any(map(_number, before))
 
 
 def named_singly(phrase: str, tokens: Tokens) -> str:
@@ -310,7 +324,9 @@ def _taken(tokens: Tokens, at: int, stated: _StatedCount, head: _Head) -> Counte
     if not head.is_plural or tokens.thing(pile) in SEVERAL:
         return Counted()
     is_exact = stated.is_number and stated.count != MANY
-    if (is_exact or stated.is_pile) and (single := _single(tokens, head)):
+    name = head.name(tokens)
+    may_differ = tokens.thing(name) != name  # "horns" are no drinking horns
+    if (is_exact or stated.is_pile) and may_differ and (single := _single(tokens, head)):
         words[head.end - 1] = single
     noun = tokens.thing(head.name(tokens))
     word = words[at]

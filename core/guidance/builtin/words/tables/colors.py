@@ -255,7 +255,7 @@ RAINBOW = "rainbow"
 MANY_COLORS = (
     *(RAINBOW, "rainbow coloured", "rainbow colored", "rainbow colors", "rainbow colours"),
     *("multicolored", "multicoloured", "multi colored", "multi coloured", "multicolor"),
-    *("multicolour", "multi color", "multi colour"),
+    *("multicolour", "multi color", "multi colour", "colorful", "colourful", "many colored"),
 )
 SHADES["red"] |= dict.fromkeys(MANY_COLORS, "dc1a1f")
 SHADES["grey"] |= {form.replace("grey", "gray"): rgb for form, rgb in SHADES["grey"].items()}

@@ -116,6 +116,10 @@ SEVERAL = frozenset(
     *("bat wings", "butterfly wings", "fairy wings", "devil horns", "ram horns"),
     *("cat ears", "fox ears", "bunny ears"),
 }
+# So does that of these, if no number is stated: one has them as one.
+AS_ONE = SEVERAL | {
+    *("staircase", "spiral staircase", "curtain", "bunk bed", "swing", "ladder", "fence", "wall"),
+}
 SAY_LITTLE = ("pair", "some", "bunch")  # of these
 DOUBLE = frozenset(("cherry",))  # it is two on one stalk
 PAIRED = frozenset("boot sneaker sandal sock glove".split()) | {

@@ -218,7 +218,9 @@ CALLED = {
     "playing card": {"hearts": "pips", "heart": "pips"},
     "treasure map": {"islands": "land", "island": "land", "compass": "rose", "mountains": "hills"},
     "jupiter": {"spot": "storm"},
-    "cauldron": {"potion": "brew", "stew": "brew", "soup": "brew", "slime": "brew"},
+    "cauldron": dict.fromkeys(
+        "potion stew soup slime goo ooze liquid acid poison water oil broth".split(), "brew"
+    ),
     "viking": dict.fromkeys(("viking helmet", "horned helmet"), "helmet"),
     "chef": {"chef hat": "hat"},
     "santa claus": {"santa hat": "coat"},
