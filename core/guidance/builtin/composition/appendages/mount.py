@@ -8,6 +8,7 @@ from jaxtyping import Float
 
 from core.guidance.builtin.composition.clothes.measurements import BARE, stands_upright
 from core.guidance.builtin.composition.placing.placement import Body
+from core.guidance.builtin.composition.placing.resting import OVER_THE_RIM
 from core.guidance.builtin.composition.placing.wearing import head_of, neck_of
 from core.guidance.builtin.words.companions.known_as import is_dressed
 
@@ -20,6 +21,9 @@ ACROSS, NEAR = 0.35, 0.08  # of an animal's half width: its wings' distance; of 
 SIDES = 0.62  # of a thing's height: its wings'
 REAR = 0.6  # of an animal's height at its rear: where its tail begins
 CROWN = 0.62  # of the head's width, above its eyes, at most
+OUTSIDE = (*OVER_THE_RIM, "wheels", "spout", "lid", "mirrors")  # parts without wings
+SLIM = 0.24  # of the size: a horse's head is no narrower here
+CLOSEST = 0.05  # training units: a column of a drawn body has points
 SUNK = 0.02  # training units, into the body
 LEAST = 0.04  # of the size: half the distance of an upright body's wings
 
@@ -41,12 +45,12 @@ class Mount:
     @classmethod
     def of(cls, body: Body) -> "Mount":
         """Of a drawn body."""
-        head, rest = head_of(body), body.without(*BARE)
+        alive = is_dressed(body.words.noun)
+        head, rest = head_of(body), body.without(*(BARE if alive else OUTSIDE))
         middle = head.middle.double().numpy()
         points = rest.double().numpy()
         low, high = points.min(0), points.max(0)
         stands = stands_upright(rest, head)
-        alive = is_dressed(body.words.noun)
         sides = high - low
         size = (
             float(sides[2] if stands else sides[1]) if alive else float(sides.max() + sides[2]) / 2
@@ -80,7 +84,8 @@ class Mount:
         def crown(x: float, y: float) -> float:
             return min(scalp.above(x, y), highest)
 
-        return cls(size, stands, not alive, shoulder, rump, middle, head.wide, highest, crown)
+        wide = max(head.wide, SLIM * size) if alive else head.wide
+        return cls(size, stands, not alive, shoulder, rump, middle, wide, highest, crown)
 
     @classmethod
     def alone(cls) -> "Mount":
@@ -113,7 +118,7 @@ class _Column:
     """The surface's extent around a line along an axis."""
 
     def __init__(self, points: Float[np.ndarray, "n 3"], near: float) -> None:
-        self.points, self.near = points, near
+        self.points, self.near = points, max(near, CLOSEST)
 
     def above(self, x: float, y: float) -> float:
         """The highest z near (x, y)."""

@@ -83,7 +83,7 @@ TINES = (
     ((0.44, 0.12, 0.54, 0.042), (0.64, 0.06, 0.68, 0.032), (0.74, 0.0, 0.88, 0.012)),
 )
 APART = 0.26  # of the head's width, from its middle: horns, antlers
-CURL, CURLED, CURL_OUT = 0.27, 1.25 * np.pi, 0.16  # a ram's horn: its radius, its turn
+CURL, CURLED, CURL_OUT = 0.3, 1.3 * np.pi, 0.36  # a ram's horn: its radius, its turn
 IN_HEAD = 0.06  # of its width
 POINTED, POINT = 0.8, 0.1  # a unicorn's horn: its length, its radius
 TWISTS, TWIST = 4, 0.022

@@ -22,7 +22,7 @@ from core.guidance.builtin.words.grammar.part_names import (
     owns,
 )
 from core.guidance.builtin.words.phrases.slots import Words
-from core.guidance.builtin.words.tables.living import is_animal
+from core.guidance.builtin.words.tables.living import is_animal, is_creature
 from core.guidance.builtin.words.tables.part_tables import OPTIONS
 
 _PLACING = ("on", "in")  # a thing has one of these
@@ -102,6 +102,8 @@ def fitting(
     if "one leg" in OPTIONS.get(first, ()) and _PEDESTAL.search(phrase):
         return None
     got = read(phrase)
+    if got and got.entry.form == "horn" and is_creature(first) and not owns(first, "horn"):
+        got = read(re.sub(r"horn$", "unicorn horn", phrase))
     if got is None or got.entry.form in known_as.GROWN:
         return None
     other, words = got.words.noun, got.words
