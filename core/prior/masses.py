@@ -10,9 +10,11 @@ import torch
 from core.geometry.mesh import signed_volume
 from core.geometry.union import union
 from core.guidance.builtin.composition.appendages.appendage import solids_of
-from core.guidance.builtin.composition.exact import EDGE
-from core.guidance.builtin.nouns import GROUPS
-from core.guidance.builtin.nouns.appendages import APPENDAGES
+from core.guidance.builtin.constructed.draw import Draw as SeedDraw
+from core.guidance.builtin.constructed.shapes import of_training_size
+from core.guidance.builtin.constructed.solid import EDGE
+from core.guidance.builtin.constructed.things import THINGS
+from core.guidance.builtin.nouns import CONSTRUCTED, GROUPS
 from core.guidance.builtin.stretch import known_wider
 from core.guidance.builtin.words.tables.sizes import usual
 from core.prior.draw import Draw
@@ -33,8 +35,8 @@ data is in `core/guidance/builtin/nouns/` and, of such kinds, in `words/tables/k
 
 def usual_mass(noun: str, side: int = 40) -> float:
     """The mass in kilograms of the prior's own solid at the noun's usual size."""
-    if noun in APPENDAGES:
-        return _exact_mass(noun)
+    if noun in CONSTRUCTED:
+        return _constructed_mass(noun)
     axis = ((torch.arange(side) + 0.5) / side * 2 - 1) * 1.05
     cells = torch.stack(torch.meshgrid(axis, axis, axis, indexing="ij"), -1).view(-1, 3)
     wider = known_wider(noun)  # or its walls would be between the cells
@@ -46,9 +48,10 @@ def usual_mass(noun: str, side: int = 40) -> float:
     return len(inside) * (step * size / longest) ** 3 * density / float(by.prod())
 
 
-def _exact_mass(noun: str) -> float:
-    """That of what no network draws; it is too thin for cells."""
-    meshes = [one.mesh(EDGE) for own in solids_of(noun).values() for one in own]
+def _constructed_mass(noun: str) -> float:
+    """That of what no network draws; it may be too thin for cells."""
+    parts = of_training_size(THINGS[noun](SeedDraw(1))) if noun in THINGS else solids_of(noun)
+    meshes = [one.mesh(EDGE) for own in parts.values() for one in own]
     verts, faces = union(meshes, 0.0)
     size, density = usual(noun)
     longest = float((verts.amax(0) - verts.amin(0)).max())

@@ -19,9 +19,11 @@ from core.geometry.mesh import Mesh
 from core.geometry.parts.assembly import KnownParts
 from core.guidance.builtin.areas import AreaFields, SolidAreas
 from core.guidance.builtin.bent import bent
-from core.guidance.builtin.composition.appendages.appendage import alone
+from core.guidance.builtin.composition.appendages.appendage import solids_of
 from core.guidance.builtin.composition.composed import Composed
 from core.guidance.builtin.composition.placing.wearing import freed
+from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
+from core.guidance.builtin.constructed.things import constructed
 from core.guidance.builtin.counted_solid import CountedSolid
 from core.guidance.builtin.diffusion import alpha_bar_schedule
 from core.guidance.builtin.hint import HINT_SLOTS, hint
@@ -29,7 +31,7 @@ from core.guidance.builtin.markings.markings import (
     is_marking,
 )
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
-from core.guidance.builtin.nouns import solid_of
+from core.guidance.builtin.nouns import CONSTRUCTED, solid_of
 from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.offered import (
     NETWORKS,
@@ -177,6 +179,10 @@ class PromptedBuiltin(PromptedGuidance):
         net, words = self.builtin.solid, self.words
         if net is None or not words.noun:
             return self
+        if words.noun in CONSTRUCTED:
+            own = solids_of(words.noun) if words.noun in APPENDAGES else None
+            solid = solid_of_parts(words, net, own) if own else constructed(words, net, seed)
+            return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
         formed = (words.noun, words.shape) in FORMS
         asked = words if formed else replace(words, shape="")
         rows = torch.tensor([asked.indices(GEOMETRY_SLOTS)], device=self.builtin.device)
@@ -194,8 +200,6 @@ class PromptedBuiltin(PromptedGuidance):
             if not any(found[-1].uncounted()):
                 break
         solid = min(found, key=lambda one: len(list(one.uncounted()))).fitting().solid
-        if words.noun in APPENDAGES:
-            solid = alone(words, solid)
         return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
 
     def with_solid(self, solid: Solid) -> "PromptedBuiltin":
@@ -205,7 +209,7 @@ class PromptedBuiltin(PromptedGuidance):
     def in_proportion(self, guide: Mesh, strength: float, least: float) -> "PromptedBuiltin":
         """With the drawn solid stretched and bent."""
         solid, parts = self.solid, self.parts()
-        if solid is None or parts is None:
+        if solid is None or parts is None or isinstance(solid, ConstructedSolid):
             return self
         if isinstance(solid, CountedSolid):  # a guide has its own number of them
             solid = solid.drawn_alone()

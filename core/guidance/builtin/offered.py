@@ -50,7 +50,7 @@ def offered_words() -> dict[str, list[str]]:
         except (FileNotFoundError, ValueError, KeyError) as error:
             raise weights_error(path, error) from error
     known = set(words["noun"])
-    words["noun"] += [noun for noun, row in NOUNS.items() if row.solid in known]
+    words["noun"] += [n for n, row in NOUNS.items() if row.solid in known or row.constructed]
     return words
 
 

@@ -14,8 +14,8 @@ from core.guidance.builtin.areas import AreaFields, depths, patterned
 from core.guidance.builtin.bent import BentSolid
 from core.guidance.builtin.bodywork import bodywork_of
 from core.guidance.builtin.composition.clothes.clothing import Garment
-from core.guidance.builtin.composition.exact import ExactSolid
 from core.guidance.builtin.composition.placing.placement import EYES
+from core.guidance.builtin.constructed.solid import ConstructedSolid
 from core.guidance.builtin.counted_solid import CountedSolid, counted_solid
 from core.guidance.builtin.cutting.cut_solid import Cut, cut_out_of
 from core.guidance.builtin.markings.emblems.drawn_emblem import Drawn, drawn_on
@@ -79,9 +79,9 @@ class PaintedSolid:
     def parts(self) -> KnownParts:
         """Its parts; a part that an adjective makes oval is not round."""
         noun = self.words.noun
-        flat, around, least = part_forms_table()[noun]
-        if isinstance(self.solid, ExactSolid):
+        if isinstance(self.solid, ConstructedSolid):
             return self.solid.known
+        flat, around, least = part_forms_table()[noun]
         if isinstance(self.solid, Garment):  # it has its wearer's form
             soft = Forms((SOFT,) * len(flat), ((0.0,) * len(flat),) * 3)
             return KnownParts(self.solid.distances, soft)

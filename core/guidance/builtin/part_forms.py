@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.nouns import CONSTRUCTED, NOUNS
 
 ROUND = 0.8  # of a part's surface
 TABLE = Path(__file__).with_suffix(".json")
@@ -48,4 +48,11 @@ def part_forms_table() -> dict[str, PartForms]:
         noun: PartForms(tuple(r["flat"]), tuple(map(tuple, r["round"])), tuple(r["least"]))
         for noun, r in rows.items()
     }
-    return known | {noun: known[row.solid] for noun, row in NOUNS.items() if row.solid}
+    known |= {noun: known[row.solid] for noun, row in NOUNS.items() if row.solid}
+    return known | {noun: _exact(len(row.looks)) for noun, row in CONSTRUCTED.items()}
+
+
+def _exact(count: int) -> PartForms:
+    """Of what is put together from simple solids: nothing has to be known of their forms."""
+    nothing = (0.0,) * count
+    return PartForms(nothing, (nothing,) * 3, (1.0,) * count)

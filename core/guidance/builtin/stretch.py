@@ -91,3 +91,10 @@ def frame_of(
     a, b, c = center.tolist()
     x, y, z = (factors * ((NORMAL_RADIUS * size - swell) / radius)).tolist()
     return Frame((a, b, c), (x, y, z))
+
+
+def training_size(verts: Float[Tensor, "n 3"]) -> tuple[float, Float[Tensor, " 3"]]:
+    """The scale, and then the shift, to the size in which the networks know things."""
+    center = (verts.amin(0) + verts.amax(0)) / 2
+    scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
+    return scale, -center * scale

@@ -7,7 +7,7 @@ from core.geometry.mesh import component_labels, health
 from core.geometry.union import union
 from core.guidance.builtin.composition.appendages.mount import Mount
 from core.guidance.builtin.composition.appendages.shapes import SHAPES, joined_alone
-from core.guidance.builtin.composition.exact import EDGE, ExactSolid
+from core.guidance.builtin.constructed.solid import EDGE, ConstructedSolid
 from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.palette import looks
 from core.tests.drawn_things import body, box, composed, shipped_prior
@@ -72,19 +72,10 @@ def test_a_things_wings_are_at_its_sides_and_grow_with_it():
     )
 
 
-def test_moving_a_mount_moves_what_grows_on_it():
-    mount, shift = Mount.of(body("a cat")), torch.tensor([0.1, -0.2, 0.3])
-    for noun in ("wings", "antlers", "halo", "devil tail", "unicorn horn"):
-        moved = points(noun, mount.moved(0.5, shift.double().numpy()))
-        found = 0.5 * points(noun, mount) + shift
-        for end in (torch.amin, torch.amax):
-            assert torch.allclose(end(moved, 0), end(found, 0), atol=2e-3), noun
-
-
 def test_a_winged_pig_is_one_closed_component_with_wings():
     pig = composed("a pig with wings")
     _, wings = pig.made.things
-    assert isinstance(wings.solid, ExactSolid)
+    assert isinstance(wings.solid, ConstructedSolid)
     parts = pig.parts()
     count = len(parts.components)
     verts, faces = union([parts.surface_of(k) for k in range(count)], 0.0)
@@ -93,6 +84,6 @@ def test_a_winged_pig_is_one_closed_component_with_wings():
 
 def test_it_is_made_by_itself_of_the_training_s_size():
     drawn = shipped_prior().prompted("bat wings", "").of_object(0)
-    assert isinstance(drawn.solid, ExactSolid)
+    assert isinstance(drawn.solid, ConstructedSolid)
     verts, _ = drawn.solid.mesh
     assert float(verts.norm(dim=1).max()) == pytest.approx(0.9, abs=0.02)

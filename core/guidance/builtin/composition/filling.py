@@ -10,12 +10,13 @@ from jaxtyping import Float
 
 from core.geometry.init_shape import sample_surface
 from core.geometry.parts.primitives import Primitive, packed
-from core.guidance.builtin.composition.exact import ExactSolid
 from core.guidance.builtin.composition.glass.vessels import UPRIGHT
-from core.guidance.builtin.composition.placing.placement import Body, Placement, training_size
+from core.guidance.builtin.composition.placing.placement import Body, Placement
 from core.guidance.builtin.composition.placing.resting import OVER_THE_RIM
 from core.guidance.builtin.composition.thing import Thing
+from core.guidance.builtin.constructed.solid import ConstructedSolid
 from core.guidance.builtin.palette import looks
+from core.guidance.builtin.stretch import training_size
 from core.guidance.builtin.words.companions.search import Relation
 
 SAMPLES, SECTORS = 80_000, 72
@@ -63,9 +64,9 @@ def _filling(thing: Thing, body: Body, vessel: Body) -> tuple[Thing, Body] | Non
         solids.append(Primitive("ellipsoid", center, UPRIGHT, lengths))
     names = tuple(looks(body.words.noun))
     exact = {"solids": {names[0]: solids}, "names": names}
-    solid = ExactSolid(thing.solid.net, thing.solid.triplane, **exact)
+    solid = ConstructedSolid(thing.solid.net, thing.solid.triplane, **exact)
     place = Placement.of().then(scale, shift).inverted()
-    return thing.with_solid(solid), replace(solid.body(body.words), rests=place)
+    return thing.with_solid(solid), replace(Body.of(body.words, solid), rests=place)
 
 
 def _outline(vessel: Body, at: float) -> tuple[Float[np.ndarray, "s 2"], float] | None:

@@ -9,6 +9,11 @@ from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.nouns.birds import BIRDS
 from core.guidance.builtin.nouns.boats_and_ships import BOATS_AND_SHIPS
 from core.guidance.builtin.nouns.bread_and_sweets import BREAD_AND_SWEETS
+from core.guidance.builtin.nouns.built_charms_and_games import BUILT_CHARMS_AND_GAMES
+from core.guidance.builtin.nouns.built_desk_and_workshop import BUILT_DESK_AND_WORKSHOP
+from core.guidance.builtin.nouns.built_home_and_kitchen import BUILT_HOME_AND_KITCHEN
+from core.guidance.builtin.nouns.built_machines_and_vehicles import BUILT_MACHINES_AND_VEHICLES
+from core.guidance.builtin.nouns.built_sites import BUILT_SITES
 from core.guidance.builtin.nouns.cars import CARS
 from core.guidance.builtin.nouns.clothes_and_shoes import CLOTHES_AND_SHOES
 from core.guidance.builtin.nouns.common_wild_animals import COMMON_WILD_ANIMALS
@@ -46,6 +51,7 @@ from core.guidance.builtin.nouns.road_and_yard import ROAD_AND_YARD
 from core.guidance.builtin.nouns.school_and_laboratory import SCHOOL_AND_LABORATORY
 from core.guidance.builtin.nouns.sea_animals import SEA_ANIMALS
 from core.guidance.builtin.nouns.seats_and_beds import SEATS_AND_BEDS
+from core.guidance.builtin.nouns.sights import SIGHTS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sound_and_hardware import SOUND_AND_HARDWARE
 from core.guidance.builtin.nouns.sport import SPORT
@@ -61,10 +67,17 @@ from core.guidance.builtin.nouns.weapons import WEAPONS
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": SEATS_AND_BEDS | TABLES_CABINETS_AND_LAMPS,
-    "Household": KITCHEN | DOORS_AND_BATHROOM | LAMPS_CLOCKS_AND_ORNAMENTS,
+    "Household": KITCHEN | DOORS_AND_BATHROOM | LAMPS_CLOCKS_AND_ORNAMENTS | BUILT_HOME_AND_KITCHEN,
     "Fixtures and Utensils": FIXTURES_AND_UTENSILS,
-    "Small Things": TABLEWARE_AND_TEXTILES | SCHOOL_AND_LABORATORY | SOUND_AND_HARDWARE,
-    "Props": ADVENTURE_PROPS | CRATES_AND_DRUMS | ROAD_AND_YARD | GIFTS_AND_DECORATIONS,
+    "Small Things": TABLEWARE_AND_TEXTILES
+    | SCHOOL_AND_LABORATORY
+    | SOUND_AND_HARDWARE
+    | BUILT_DESK_AND_WORKSHOP,
+    "Props": ADVENTURE_PROPS
+    | CRATES_AND_DRUMS
+    | ROAD_AND_YARD
+    | GIFTS_AND_DECORATIONS
+    | BUILT_CHARMS_AND_GAMES,
     "Flags and Signs": FLAGS_AND_SIGNS | PRINTED_THINGS,
     "Arms and Fantasy": WEAPONS | RELICS_AND_NATURE,
     "Food": DISHES_AND_GROCERIES | BREAD_AND_SWEETS,
@@ -77,9 +90,13 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | BIRDS
     | REPTILES_AND_INSECTS
     | DINOSAURS_AND_MYTHICAL_BEASTS,
-    "Vehicles": TRUCKS_BUSES_AND_TRACTORS | CARS | BOATS_AND_SHIPS | TRAINS_CYCLES_AND_CARTS,
+    "Vehicles": TRUCKS_BUSES_AND_TRACTORS
+    | CARS
+    | BOATS_AND_SHIPS
+    | TRAINS_CYCLES_AND_CARTS
+    | BUILT_MACHINES_AND_VEHICLES,
     "Aircraft and Space": AIRCRAFT_AND_SPACE,
-    "Buildings": HOUSES | LANDMARKS | STREET_AND_PLAYGROUND,
+    "Buildings": HOUSES | LANDMARKS | STREET_AND_PLAYGROUND | SIGHTS | BUILT_SITES,
     "Electronics": COMPUTERS_AND_GAME_MACHINES | PHONES_CAMERAS_AND_AUDIO | ELECTRIC_MACHINES,
     "Clothes": CLOTHES_AND_SHOES | HATS_BAGS_AND_JEWELLERY | APPENDAGES,
     "Sport": SPORT,
@@ -87,9 +104,11 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Instruments": INSTRUMENTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
-# The networks' rows; then what is another thing's solid.
+# The networks' rows; then what is another thing's solid, and what no network draws.
 NOUNS: dict[str, Noun] = {noun: _ALL[noun] for noun in ORDER}
 NOUNS |= {noun: row for noun, row in _ALL.items() if row.solid}
+CONSTRUCTED: dict[str, Noun] = {noun: row for noun, row in _ALL.items() if row.constructed}
+NOUNS |= CONSTRUCTED
 # The names of all parts; those of a new noun that are new come last.
 PART_NAMES = tuple(dict.fromkeys(part for noun in NOUNS.values() for part in noun.looks))
 
@@ -97,3 +116,8 @@ PART_NAMES = tuple(dict.fromkeys(part for noun in NOUNS.values() for part in nou
 def solid_of(noun: str) -> str:
     """The thing whose solid the noun is, and whose rows the networks have: mostly itself."""
     return (NOUNS[noun].solid if noun in NOUNS else "") or noun
+
+
+def row_of(noun: str) -> str:
+    """The thing whose rows the networks have; "" where they have none."""
+    return "" if noun in CONSTRUCTED else solid_of(noun)

@@ -48,3 +48,5 @@ class Noun(NamedTuple):
     # The thing whose solid it is, and whose rows the networks have; "": its own. Its parts are that
     # one's, in the same order, by whatever name, but for what is a marking or left out at the end.
     solid: str = ""
+    # Whether it is put together from simple solids (``constructed/``); no network has a row of it.
+    constructed: bool = False

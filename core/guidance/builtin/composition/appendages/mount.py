@@ -101,18 +101,6 @@ class Mount:
         """The same for appendages of another size."""
         return replace(self, size=factor * self.size, wide=factor * self.wide)
 
-    def moved(self, scale: float, shift: Point) -> "Mount":
-        """Scaled around the origin, then moved."""
-
-        def crown(x: float, y: float) -> float:
-            return scale * self.crown((x - shift[0]) / scale, (y - shift[1]) / scale) + shift[2]
-
-        places = {
-            name: scale * getattr(self, name) + shift for name in ("shoulder", "rump", "head")
-        }
-        sizes = {name: scale * getattr(self, name) for name in ("size", "wide")}
-        return replace(self, **places, **sizes, top=scale * self.top + shift[2], crown=crown)
-
 
 class _Column:
     """The surface's extent around a line along an axis."""

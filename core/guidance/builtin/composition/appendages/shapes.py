@@ -9,17 +9,15 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from jaxtyping import Float
-from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from core.geometry.parts.pipes import Pipe, packed_pipes
 from core.geometry.parts.primitives import Loop, Primitive, packed
 from core.guidance.builtin.composition.appendages.mount import Mount, Point
+from core.guidance.builtin.constructed.shapes import Parts, closed_curve, curve, turning
 
-Parts = dict[str, list[Primitive]]
 Frame = Float[np.ndarray, "3 3"]  # its columns are a plate's axes
 
-STEPS = 10  # sides of a curve between two of its points
 # Of a body's size: a wing's length upright, on all fours, and of a thing; a butterfly's.
 LENGTH, LENGTH_ON_FOURS, LENGTH_OF_THING, BUTTERFLY = 0.62, 0.52, 0.5, 0.85
 # Directions of the right wing's length and of its height.
@@ -158,7 +156,7 @@ def _feathered(mount: Mount) -> Parts:
 
 def _feathers(reach: float, count: int, wide: float) -> Iterator[Loop]:
     """The outlines of a row of feathers, from the body outwards."""
-    bones, tips = _curve(BONES), _curve(TIPS)
+    bones, tips = curve(BONES), curve(TIPS)
     t = np.linspace(0, 1, 15)
     round_end = np.sqrt(1 - ((t - 1 + ROUNDED) / ROUNDED).clip(0) ** 2)
     half = wide * round_end * (0.6 + 0.4 * (t / 0.5).clip(max=1))
@@ -177,11 +175,11 @@ def _leathery(mount: Mount) -> Parts:
     wings, arms = [], []
     for frame in _frames(mount, RAISED):
         ends = [*FINGERS, ARMPIT]
-        edge = [_curve((ROOT, (0.2, 0.34), WRIST)), _curve((WRIST, (0.75, 0.5), FINGERS[0]))]
+        edge = [curve((ROOT, (0.2, 0.34), WRIST)), curve((WRIST, (0.75, 0.5), FINGERS[0]))]
         for start, end in itertools.pairwise(ends):
             middle = (np.array(start) + end) / 2
             edge.append(
-                _curve((start, tuple(middle + HANGS * 0.4 * (np.array(WRIST) - middle)), end))
+                curve((start, tuple(middle + HANGS * 0.4 * (np.array(WRIST) - middle)), end))
             )
         loop = np.concatenate([one[:-1] for one in edge] + [np.array([ARMPIT])])[::-1]
         wings.append(_plate(frame, loop, MEMBRANE, length))
@@ -197,7 +195,7 @@ def _lobed(mount: Mount) -> Parts:
     wings, edges = [], []
     for frame in _frames(mount, SPREAD):
         for lobe in (UPPER, LOWER):
-            loop = _closed(lobe)
+            loop = closed_curve(lobe)
             middle = loop.mean(0)
             edges.append(_plate(frame, loop, LOBE, length))
             inner = middle + INSET * (loop - middle)
@@ -289,7 +287,7 @@ def _spaded(mount: Mount) -> Parts:
     parts = _tailed(DEVIL_TAIL)(mount)
     end = mount.rump + mount.size * np.array(DEVIL_TAIL[-1][:3])
     upright = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    spade = _plate((end, upright), _closed(SPADE), SPADE_THICK, mount.size)
+    spade = _plate((end, upright), closed_curve(SPADE), SPADE_THICK, mount.size)
     return {"tail": [*parts["tail"], spade]}
 
 
@@ -329,22 +327,24 @@ def _plate(
     """A flat outline; ``half`` its thickness, or from where to where it goes."""
     origin, frame = at
     low, high = half if isinstance(half, tuple) else (-half, half)
-    lengths = packed([(scale * low, scale * high, [scale * _ccw(loop)])])
+    lengths = packed([(scale * low, scale * high, [scale * turning(loop)])])
     return Primitive("layers", origin, Rotation.from_matrix(frame).as_rotvec(), lengths)
 
 
 def _plates(at: tuple[Point, Frame], each: Sequence[tuple[float, Loop]], scale: float) -> Primitive:
     """Several outlines, each half as thick as stated."""
     origin, frame = at
-    lengths = packed([(-scale * half, scale * half, [scale * _ccw(loop)]) for half, loop in each])
+    lengths = packed(
+        [(-scale * half, scale * half, [scale * turning(loop)]) for half, loop in each]
+    )
     return Primitive("layers", origin, Rotation.from_matrix(frame).as_rotvec(), lengths)
 
 
 def _pipe(at: tuple[Point, Frame], nodes: Sequence[Sequence[float]], scale: float) -> Primitive:
     origin, frame = at
     turn = Rotation.from_matrix(frame).as_rotvec()
-    curve = Pipe(_scaled(nodes, np.zeros(3), scale))
-    return Primitive("pipes", origin, turn, packed_pipes([curve]))
+    line = Pipe(_scaled(nodes, np.zeros(3), scale))
+    return Primitive("pipes", origin, turn, packed_pipes([line]))
 
 
 def _scaled(nodes: Sequence[Sequence[float]], at: Point, scale: float) -> np.ndarray:
@@ -353,32 +353,10 @@ def _scaled(nodes: Sequence[Sequence[float]], at: Point, scale: float) -> np.nda
     return found
 
 
-def _curve(points: Sequence[Sequence[float]]) -> Loop:
-    """A smooth curve through points."""
-    known = np.array(points, float)
-    way = np.cumsum([0, *np.linalg.norm(np.diff(known, axis=0), axis=1)])
-    return CubicSpline(way, known)(np.linspace(0, way[-1], STEPS * (len(known) - 1) + 1))
-
-
-def _closed(points: Sequence[Sequence[float]]) -> Loop:
-    """A smooth closed curve through points."""
-    known = np.array([*points, points[0]], float)
-    way = np.cumsum([0, *np.linalg.norm(np.diff(known, axis=0), axis=1)])
-    curve = CubicSpline(way, known, bc_type="periodic")
-    return curve(np.linspace(0, way[-1], STEPS * len(points) + 1)[:-1])
-
-
 def _at(curve: Loop, fraction: Float[np.ndarray, " n"]) -> Loop:
     """The points at fractions of a curve."""
     known = np.linspace(0, 1, len(curve))
     return np.stack([np.interp(fraction, known, curve[:, k]) for k in range(2)], 1)
-
-
-def _ccw(loop: Loop) -> Loop:
-    """The loop with its inside on the left."""
-    x, y = loop.T
-    area = float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
-    return loop if area > 0 else loop[::-1]
 
 
 SHAPES: dict[str, Callable[[Mount], Parts]] = {
@@ -394,7 +372,7 @@ SHAPES: dict[str, Callable[[Mount], Parts]] = {
     "halo": _haloed,
     "cat ears": _eared(np.array(EAR), 0.42, 0.46, 0.3, 0.3),
     "fox ears": _eared(np.array(EAR), 0.42, 0.56, 0.3, 0.3),
-    "bunny ears": _eared(_closed(LONG_EAR), 0.26, 1.0, 0.2, 0.16),
+    "bunny ears": _eared(closed_curve(LONG_EAR), 0.26, 1.0, 0.2, 0.16),
     "cat tail": _tailed(CAT_TAIL),
     "fox tail": _tailed(FOX_TAIL, FOX_TIP),
     "devil tail": _spaded,

@@ -20,10 +20,10 @@ from core.guidance.builtin.composition.placing.placement import (
     about_z,
     joined,
     laid_down,
-    training_size,
 )
 from core.guidance.builtin.composition.placing.resting import cells_of, highest
 from core.guidance.builtin.composition.thing import Thing
+from core.guidance.builtin.stretch import training_size
 from core.guidance.builtin.words.companions.glassware import FLOATING, VESSELS, lies_in
 from core.guidance.builtin.words.companions.search import Relation
 from core.guidance.builtin.words.tables.living import is_creature
@@ -94,7 +94,7 @@ def enclosed(
         words, solid, shape_for(words.noun, HEAP if several else high / across, lies)
     )
     things[inside.vessel] = things[inside.vessel].with_solid(vessel)
-    bodies[inside.vessel] = vessel.body(words)
+    bodies[inside.vessel] = Body.of(words, vessel)
     if several and each[0].words.noun in FLOATING:
         found = _hovering(each, vessel.shape)
     elif several:

@@ -10,16 +10,16 @@ from torch import Tensor
 
 from core.geometry.parts.components import Mesh
 from core.geometry.parts.primitives import Primitive
-from core.guidance.builtin.composition.exact import EDGE, ExactParts, ExactSolid
 from core.guidance.builtin.composition.glass.vessels import Shape
-from core.guidance.builtin.composition.placing.placement import training_size
+from core.guidance.builtin.constructed.solid import EDGE, ConstructedParts, ConstructedSolid
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import Solid
+from core.guidance.builtin.stretch import training_size
 from core.guidance.builtin.words.phrases.slots import Words
 
 
 @dataclass(frozen=True)
-class Vessel(ExactSolid):
+class Vessel(ConstructedSolid):
     """A vessel as one solid."""
 
     shape: Shape = field(kw_only=True)
@@ -55,7 +55,7 @@ def vessel_of(words: Words, drawn: Solid, shape: Shape) -> Vessel:
     return Vessel(drawn.net, drawn.triplane, solids=framed.parts, names=names, shape=framed)
 
 
-class VesselParts(ExactParts):
+class VesselParts(ConstructedParts):
     """The parts of a vessel."""
 
     def __init__(self, vessel: Vessel) -> None:

@@ -13,7 +13,6 @@ from core.guidance.builtin.composition.placing.placement import (
     Body,
     Placement,
     joined,
-    training_size,
 )
 from core.guidance.builtin.composition.placing.resting import (
     POINT_DOWN,
@@ -27,6 +26,7 @@ from core.guidance.builtin.composition.placing.resting import (
 )
 from core.guidance.builtin.composition.placing.sheltering import sheltered
 from core.guidance.builtin.composition.placing.wearing import worn
+from core.guidance.builtin.stretch import training_size
 from core.guidance.builtin.words.companions.known_as import CONTAINERS, EDIBLE, FITTED, FLOWERS
 from core.guidance.builtin.words.companions.search import Relation
 

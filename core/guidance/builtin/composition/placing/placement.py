@@ -9,9 +9,9 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
-from core.geometry.mesh import NORMAL_RADIUS
 from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.cut import CutParts
+from core.guidance.builtin.constructed.solid import ConstructedSolid
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import Solid
 from core.guidance.builtin.words.phrases.slots import Words
@@ -84,6 +84,8 @@ class Body:
     def of(cls, words: Words, solid: Solid, parts: KnownParts | None = None) -> "Body":
         """From the thing's network; ``parts``: what is made of it, which may be thinner."""
         verts, faces = (of.cpu() for of in solid.mesh)
+        if isinstance(solid, ConstructedSolid):
+            return cls(words, verts, faces, solid.part_of_mesh)._of_usual_size()
         distances = solid.distances(verts)
         part = distances.argmin(1)
         # A part inside a face, such as a figure's eyes, has no vertex of its own.
@@ -93,9 +95,12 @@ class Body:
         body = cls(words, verts, faces, part)
         if words.cut == "slice" and isinstance(parts, CutParts):
             body = body._of_verts(parts.tool.distance(verts) > 0)
-        size = words.size
-        longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
-        return replace(body, metres=longest / body.longest)
+        return body._of_usual_size()
+
+    def _of_usual_size(self) -> "Body":
+        size = self.words.size
+        longest = size.longest(self.sides.tolist()) if size else self.words.usual()[0]
+        return replace(self, metres=longest / self.longest)
 
     def placed(self, placement: Placement) -> "Body":
         """The thing at a placement."""
@@ -201,13 +206,6 @@ def laid_down(thing: Body, high: float) -> Float[Tensor, "3 3"]:
     if min(x, y) < FLAT * z and min(x, y) < FLAT * max(x, y):
         return about_x(-math.pi / 2) if y < x else Z_TO_X
     return about_x(-math.pi / 2) if z > high * max(x, y) else torch.eye(3)
-
-
-def training_size(verts: Float[Tensor, "n 3"]) -> tuple[float, Float[Tensor, " 3"]]:
-    """The scale, and then the shift, to the size in which the networks know things."""
-    center = (verts.amin(0) + verts.amax(0)) / 2
-    scale = NORMAL_RADIUS / float((verts - center).norm(dim=1).max())
-    return scale, -center * scale
 
 
 def about_z(angle: float) -> Float[Tensor, "3 3"]:

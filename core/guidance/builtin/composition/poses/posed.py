@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from core.guidance.builtin.composition.placing.placement import Body, training_size
+from core.guidance.builtin.composition.placing.placement import Body
 from core.guidance.builtin.composition.poses.animal_poses import Animal, pose_of
 from core.guidance.builtin.composition.poses.figure_poses import STRAIGHT, poses_of
 from core.guidance.builtin.composition.poses.posing import Pose, Posed
 from core.guidance.builtin.composition.poses.sitting import LEGWEAR, posture_of
 from core.guidance.builtin.composition.thing import Thing
 from core.guidance.builtin.nouns.appendages import APPENDAGES
+from core.guidance.builtin.stretch import training_size
 from core.guidance.builtin.words.companions.known_as import FITTED
 from core.guidance.builtin.words.companions.search import Relation
 from core.guidance.builtin.words.phrases.poses import FIGURES

@@ -1,5 +1,6 @@
 """The size, the roundness and the age of a prompt's thing. Standard library only."""
 
+from core.guidance.builtin.nouns import CONSTRUCTED
 from core.guidance.builtin.part_forms import is_round
 from core.guidance.builtin.words.grammar.findings import with_article
 from core.guidance.builtin.words.grammar.likeness import Likeness
@@ -26,6 +27,12 @@ class Stature(Likeness):
     def _set_roundness(self) -> None:
         """A round table is another table, not a swollen one; a round cat is a plump one."""
         thing, shapes = self.got.thing, self.got.found["shape"]
+        if thing in CONSTRUCTED:
+            for one in list(shapes):
+                shapes.remove(one)
+                why = f"{with_article('noun', thing)} keeps its own form here"
+                self.got.leave_aside([one.form], why)
+            return
         stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
         if not thing or thing == "table" or is_creature(thing):  # the network knows a round table
             return

@@ -4,7 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from core.guidance.builtin.nouns import solid_of
+from core.guidance.builtin.nouns import row_of
 from core.guidance.builtin.variants import has_own_look
 from core.guidance.builtin.words.grammar.accents import Accent
 from core.guidance.builtin.words.grammar.lexicon import SLOTS
@@ -68,7 +68,7 @@ class Words:
 
     def indices(self, slots: Collection[str] = tuple(SLOTS)) -> list[int]:
         """Each slot's row in its embedding; 0 is "not stated"."""
-        own = {"noun": solid_of(self.noun)}
+        own = {"noun": row_of(self.noun)}
         return [["", *SLOTS[slot]].index(own.get(slot, getattr(self, slot))) for slot in slots]
 
     def of_parts(self, what: str) -> dict[str, str]:

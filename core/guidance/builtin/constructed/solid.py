@@ -1,7 +1,7 @@
-"""A thing of a composition whose parts are solids that are known exactly: it is not drawn."""
+"""A thing that is put together from simple solids, which are known exactly: it is not drawn."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -14,17 +14,18 @@ from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.components import Component, Mesh, Place
 from core.geometry.parts.forms import Forms
 from core.geometry.parts.primitives import Primitive
-from core.guidance.builtin.composition.placing.placement import Body
+from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import FAR, Solid
-from core.guidance.builtin.solid_net import PARTS
+from core.guidance.builtin.solid_net import PARTS, SolidNet, Triplane
 from core.guidance.builtin.words.phrases.slots import Words
 
 EDGE = 0.05  # training units: of the meshes' flat faces
 ERROR = 0.02  # training units
+NOTHING = Triplane([], [], torch.zeros(1, 0), torch.zeros(1, 2, dtype=torch.bool))  # is asked
 
 
 @dataclass(frozen=True)
-class ExactSolid(Solid):
+class ConstructedSolid(Solid):
     """Simple solids by part of its noun, training units."""
 
     solids: Mapping[str, Sequence[Primitive]] = field(kw_only=True)
@@ -46,9 +47,9 @@ class ExactSolid(Solid):
         return one.mesh(EDGE)
 
     @cached_property
-    def known(self) -> "ExactParts":
+    def known(self) -> "ConstructedParts":
         """Its parts, each with its exact surface."""
-        return ExactParts(self)
+        return ConstructedParts(self)
 
     @cached_property
     def mesh(self) -> tuple[Float[Tensor, "v 3"], Int[Tensor, "f 3"]]:
@@ -58,20 +59,17 @@ class ExactSolid(Solid):
         faces = [f + int(start) for (_, f), start in zip(meshes, starts, strict=False)]
         return torch.cat([verts for verts, _ in meshes]).float(), torch.cat(faces)
 
-    def body(self, words: Words) -> Body:
-        """As placing needs to know it."""
+    @cached_property
+    def part_of_mesh(self) -> Int[Tensor, " v"]:
+        """The part of each vertex of its mesh."""
         each = self.known.components
-        part = [torch.full((len(one.verts),), one.place.part) for one in each]
-        body = Body(words, *self.mesh, torch.cat(part))
-        size = words.size
-        longest = size.longest(body.sides.tolist()) if size else words.usual()[0]
-        return replace(body, metres=longest / body.longest)
+        return torch.cat([torch.full((len(one.verts),), one.place.part) for one in each])
 
 
-class ExactParts(KnownParts):
+class ConstructedParts(KnownParts):
     """The parts of such a thing."""
 
-    def __init__(self, solid: ExactSolid) -> None:
+    def __init__(self, solid: ConstructedSolid) -> None:
         self.solid = solid
         count = len(solid.names)
         super().__init__(solid.distances, Forms((0.0,) * count, ((0.0,) * count,) * 3))
@@ -100,3 +98,11 @@ class ExactParts(KnownParts):
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances."""
         return self.solid.distances(points)[:, : len(self.solid.names)]
+
+
+def solid_of_parts(
+    words: Words, net: SolidNet, parts: Mapping[str, Sequence[Primitive]]
+) -> ConstructedSolid:
+    """These parts of the noun as a solid, without the absent ones."""
+    there = {name: own for name, own in parts.items() if name not in words.absent}
+    return ConstructedSolid(net, NOTHING, solids=there, names=tuple(looks(words.noun)))

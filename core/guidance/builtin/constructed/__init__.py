@@ -1,0 +1,1 @@
+"""Things that are put together from simple solids, exactly: no network draws them."""

@@ -1,0 +1,97 @@
+"""Things that are put together from simple solids."""
+
+import pytest
+import torch
+
+from core.geometry.mesh import component_labels, health
+from core.geometry.union import union
+from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.shapes import (
+    FRONT,
+    SIDE,
+    ball,
+    both_sides,
+    box,
+    circle,
+    framed,
+    moved,
+    of_training_size,
+    pipe,
+    plate,
+    ring,
+    rod,
+    spun,
+    turned,
+)
+from core.guidance.builtin.constructed.solid import EDGE, ConstructedSolid
+from core.guidance.builtin.constructed.things import THINGS
+from core.guidance.builtin.nouns import CONSTRUCTED, row_of
+from core.guidance.builtin.nouns.appendages import APPENDAGES
+from core.guidance.builtin.palette import looks
+from core.guidance.builtin.words.vocabulary import parse
+from core.tests.drawn_things import shipped_prior
+
+MOST_FACES = 150_000
+
+
+def test_every_constructed_thing_has_its_solids():
+    assert CONSTRUCTED.keys() == THINGS.keys() | APPENDAGES.keys()
+    assert not THINGS.keys() & APPENDAGES.keys()
+    assert all(row_of(noun) == "" for noun in CONSTRUCTED) and row_of("chair") == "chair"
+
+
+@pytest.mark.parametrize("noun", THINGS)
+def test_it_is_one_closed_component_and_read_without_notes(noun):
+    words = parse(f"a {noun}")
+    assert (words.noun, words.notes, words.left_out) == (noun, (), ())
+    parts = of_training_size(THINGS[noun](Draw(0)))
+    assert list(parts) == list(looks(noun)), "the parts of its looks, in their order"
+    verts, faces = union([one.mesh(EDGE) for own in parts.values() for one in own], 0.0)
+    assert component_labels(faces, len(verts))[0] == 1, "all of it holds together"
+    assert health(verts, faces)["closed"] and len(faces) < MOST_FACES
+    assert float(verts.norm(dim=1).max()) == pytest.approx(0.9, abs=0.03)
+
+
+PLACES = torch.rand(300, 3, generator=torch.Generator().manual_seed(0)) * 2 - 1
+SOLIDS = {
+    "box": box((0.3, 0.5, 0.2), (0.3, 0.1, 0.2), 0.02, (10, 20, 30)),
+    "ball": ball((0.3, 0.1, 0.2), (0.4, 0, 0), (0, 0, 30)),
+    "rod": rod((0.1, 0, 0), (0.5, 0.4, 0.3), 0.1, 0.05),
+    "ring": ring(0.3, 0.05, (0.3, 0, 0), "y"),
+    "pipe": pipe([(0.1, 0, 0), (0.4, 0.2, 0.3), (0.6, 0, 0.5)], (0.1, 0.05, 0.08)),
+    "plate": plate([(0, 0), (0.5, 0), (0.2, 0.6)], 0.1, (0.2, 0, 0), FRONT),
+    "holed": plate(circle(0.4), 0.1, (0.2, 0.1, 0), SIDE, [circle(0.2)]),
+    "turned": turned([(0, 0), (0.3, 0), (0.2, 0.4), (0, 0.4)], (0.3, 0, 0)),
+}
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_a_mirrored_a_moved_and_a_framed_solid_are_where_they_should_be(name):
+    one, places = SOLIDS[name], PLACES.double()
+    _, other = both_sides([one])
+    across = torch.tensor([-1.0, 1.0, 1.0]).double()
+    assert torch.allclose(other.distance(places * across), one.distance(places), atol=1e-6)
+    (there,) = moved([one], (0.1, 0.2, 0.3))
+    by = torch.tensor([0.1, 0.2, 0.3]).double()
+    assert torch.allclose(there.distance(places + by), one.distance(places), atol=1e-6)
+    larger = framed(one, 2.0, by.numpy())
+    if one.form != "ellipsoid":  # known to first order
+        assert torch.allclose(larger.distance(2 * places + by), 2 * one.distance(places), atol=1e-6)
+    third = spun([one], 3)[1]
+    c, s = -0.5, 0.75**0.5
+    turn = torch.tensor([[c, -s, 0], [s, c, 0], [0, 0, 1]]).double()
+    assert torch.allclose(third.distance(places @ turn.T), one.distance(places), atol=1e-5)
+
+
+def test_it_is_drawn_by_its_seed_and_without_what_is_absent():
+    first, same, other = (
+        shipped_prior().prompted("a swimming pool", "").of_object(seed) for seed in (0, 0, 1)
+    )
+    assert isinstance(first.solid, ConstructedSolid)
+    assert torch.equal(first.solid.mesh[0], same.solid.mesh[0])
+    assert first.solid.mesh[0].shape != other.solid.mesh[0].shape or not torch.allclose(
+        first.solid.mesh[0], other.solid.mesh[0]
+    )
+    without = shipped_prior().prompted("a swimming pool without a ladder", "").of_object(0)
+    assert "ladder" in first.solid.solids and "ladder" not in without.solid.solids
+    assert len(without.parts().components) == len(first.parts().components) - 2
