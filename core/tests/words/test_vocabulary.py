@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from core.errors import UserError
-from core.guidance.builtin.nouns import GROUPS, NOUNS, solid_of
+from core.guidance.builtin.nouns import CONSTRUCTED, GROUPS, NOUNS, row_of
 from core.guidance.builtin.stretch import STRETCH
 from core.guidance.builtin.words.grammar.lexicon import LEXICON, SLOTS, corrected, forms_of
 from core.guidance.builtin.words.phrases.slots import Companion, Words
@@ -176,9 +176,9 @@ def test_the_readme_lists_all_things():
 
 
 def test_the_words_are_those_that_were_drawn_in_their_order():
-    own, borrowed = ([n for n, row in NOUNS.items() if bool(row.solid) is b] for b in (False, True))
-    assert tuple(own) == DRAWN and [*own, *borrowed] == list(NOUNS)
-    assert {solid_of(noun) for noun in NOUNS} == set(DRAWN)
+    borrowed = [noun for noun, row in NOUNS.items() if row.solid]
+    assert [*DRAWN, *borrowed, *CONSTRUCTED] == list(NOUNS)
+    assert {row_of(noun) for noun in NOUNS} == {"", *DRAWN}
     rows = [noun for group in GROUPS.values() for noun in group]
     assert sorted(rows) == sorted(NOUNS), "each once, and in the networks' order"
     assert ["", *SHAPES] == ADJECTIVES == ["", *STRETCH]

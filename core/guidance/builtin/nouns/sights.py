@@ -21,9 +21,9 @@ SIGHTS = {
         constructed=True,
     ),
     "eiffel tower": Noun(
-        "the eiffel tower, paris tower; radio tower, lattice tower, transmission tower, pylon",
+        "the eiffel tower, paris tower; radio tower, lattice tower, transmission tower",
         {"iron": "*7a6650 . metal", "decks": "&5f4f3f . metal", "feet": "-b9b2a5 . stone"},
-        Usual(330.0, STEEL, 0.05),
+        Usual(300.0, STEEL, 0.05),
         constructed=True,
     ),
     "stonehenge": Noun(
