@@ -71,6 +71,7 @@ from core.guidance.sds import eps_from_v
 
 SIZE = 64
 COUNTED = 4  # drawings at most, until its parts are as many as stated
+NO_PICTURES = "no network has learnt its pictures: they are those of no thing in particular."
 NOT_DRAWN_ON = (
     "left out, as text, emblems and moods are drawn only on what the built-in prior draws itself, "
     "not on your mesh or a distilled shape."
@@ -241,7 +242,9 @@ class PromptedBuiltin(PromptedGuidance):
             drawn = (*map(str, self.words.emblems), *filter(None, [self.words.mood]))
             notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
             unmade = (*unsized(self.words), *uncounted_of(self.words), *uncut(self.words))
-            return (*notes, *unmade)
+            noun = self.words.noun
+            unknown = (f"{noun}: {NO_PICTURES}",) if noun in CONSTRUCTED else ()
+            return (*notes, *unmade, *unknown)
         return self.painted.left_out()
 
     def parts(self) -> KnownParts | None:

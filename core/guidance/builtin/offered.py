@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from core.errors import MissingError
-from core.guidance.builtin.nouns import NOUNS
+from core.guidance.builtin.nouns import NOUNS, row_of
 
 WEIGHTS = Path(__file__).parent  # the two networks, next to the code that runs them
 NETWORKS = ("geometry", "appearance")  # whose words are offered
@@ -56,7 +56,7 @@ def offered_words() -> dict[str, list[str]]:
 
 def drawn_nouns() -> list[str]:
     """The known things with a solid of their own."""
-    return [noun for noun in offered_words()["noun"] if not NOUNS[noun].solid]
+    return [noun for noun in offered_words()["noun"] if row_of(noun) == noun]
 
 
 def weights_error(path: Path, error: Exception) -> MissingError:

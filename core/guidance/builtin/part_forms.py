@@ -49,10 +49,9 @@ def part_forms_table() -> dict[str, PartForms]:
         for noun, r in rows.items()
     }
     known |= {noun: known[row.solid] for noun, row in NOUNS.items() if row.solid}
-    return known | {noun: _exact(len(row.looks)) for noun, row in CONSTRUCTED.items()}
-
-
-def _exact(count: int) -> PartForms:
-    """Of what is put together from simple solids: nothing has to be known of their forms."""
-    nothing = (0.0,) * count
-    return PartForms(nothing, (nothing,) * 3, (1.0,) * count)
+    # Of what is put together from simple solids nothing has to be known.
+    nothing = (0.0,) * len(known["cube"].flat)
+    for noun, row in CONSTRUCTED.items():
+        least = (1.0,) * len(row.looks)
+        known[noun] = PartForms(nothing, (nothing,) * 3, (*least, *nothing[len(least) :]))
+    return known

@@ -95,3 +95,20 @@ def test_it_is_drawn_by_its_seed_and_without_what_is_absent():
     without = shipped_prior().prompted("a swimming pool without a ladder", "").of_object(0)
     assert "ladder" in first.solid.solids and "ladder" not in without.solid.solids
     assert len(without.parts().components) == len(first.parts().components) - 2
+
+
+def test_where_it_is_not_put_together_a_note_says_that_no_network_knows_it():
+    """On the user's mesh, or distilled from an ellipsoid."""
+    assert any(
+        "swimming pool" in note
+        for note in shipped_prior().prompted("a swimming pool", "").left_out()
+    )
+    assert not shipped_prior().prompted("a mug", "").left_out()
+    drawn = shipped_prior().prompted("a swimming pool", "").of_object(0)
+    assert not drawn.left_out()
+    assert drawn.words.indices(("noun",)) == [0]
+
+
+def test_a_shape_is_left_out_with_a_note():
+    words = parse("a tall swimming pool")
+    assert not words.shape and any("keeps its own form" in note for note in words.notes)

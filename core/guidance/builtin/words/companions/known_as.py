@@ -46,7 +46,7 @@ CONTAINERS = frozenset(
         "teacup, paper cup, goblet, nest, bathtub, sink, boat, sailboat, canoe, rowboat, "
         "speedboat, longship, wagon, sleigh, yacht, wheelbarrow, shopping cart, minecart, go-kart, "
         "golf cart, race car, tractor, raft, sled, barrel, trash can, crib, pan, toilet, "
-        "plate, dumpster"
+        "plate, dumpster, swimming pool"
     ).split(", ")
 )
 # Things that others stick in with their point, and things with such a point.
