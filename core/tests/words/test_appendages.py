@@ -41,7 +41,7 @@ def test_who_has_what(prompt, noun, on_it):
 def test_each_is_read_by_itself_as_one_and_without_notes(noun):
     words = parse(f"a pair of {noun}" if noun.endswith("s") else f"a {noun}")
     assert (words.noun, words.count, words.notes, words.left_out) == (noun, 1, (), ())
-    assert list(NOUNS[noun].looks) and NOUNS[noun].solid
+    assert NOUNS[noun].constructed
 
 
 def test_a_stated_look_is_theirs_and_the_own_ones_go():

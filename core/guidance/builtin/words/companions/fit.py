@@ -23,7 +23,7 @@ from core.guidance.builtin.words.grammar.part_names import (
 )
 from core.guidance.builtin.words.phrases.slots import Words
 from core.guidance.builtin.words.tables.living import is_animal, is_creature
-from core.guidance.builtin.words.tables.part_tables import OPTIONS
+from core.guidance.builtin.words.tables.part_tables import OPTIONS, WITH_PARTS
 
 _PLACING = ("on", "in")  # a thing has one of these
 USING = ("using", "uses")
@@ -102,6 +102,9 @@ def fitting(
     if "one leg" in OPTIONS.get(first, ()) and _PEDESTAL.search(phrase):
         return None
     got = read(phrase)
+    of_another = " ".join(WITH_PARTS.get(first, {}).values()).split()
+    if got and got.entry.form in of_another:  # "a horse with wings": a pegasus
+        return None
     if got and got.entry.form == "horn" and is_creature(first) and not owns(first, "horn"):
         got = read(re.sub(r"horn$", "unicorn horn", phrase))
     if got is None or got.entry.form in known_as.GROWN:
