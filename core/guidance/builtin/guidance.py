@@ -31,7 +31,7 @@ from core.guidance.builtin.markings.markings import (
     is_marking,
 )
 from core.guidance.builtin.network import BLOCK, UNet, camera_map
-from core.guidance.builtin.nouns import CONSTRUCTED, solid_of
+from core.guidance.builtin.nouns import CONSTRUCTED, row_of, solid_of
 from core.guidance.builtin.nouns.appendages import APPENDAGES
 from core.guidance.builtin.offered import (
     NETWORKS,
@@ -243,7 +243,7 @@ class PromptedBuiltin(PromptedGuidance):
             notes = (f"{one}: {NOT_DRAWN_ON}" for one in drawn)
             unmade = (*unsized(self.words), *uncounted_of(self.words), *uncut(self.words))
             noun = self.words.noun
-            unknown = (f"{noun}: {NO_PICTURES}",) if noun in CONSTRUCTED else ()
+            unknown = (f"{noun}: {NO_PICTURES}",) if noun and not row_of(noun) else ()
             return (*notes, *unmade, *unknown)
         return self.painted.left_out()
 

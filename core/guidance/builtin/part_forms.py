@@ -52,6 +52,8 @@ def part_forms_table() -> dict[str, PartForms]:
     # Of what is put together from simple solids nothing has to be known.
     nothing = (0.0,) * len(known["cube"].flat)
     for noun, row in CONSTRUCTED.items():
+        if noun in known:
+            continue
         least = (1.0,) * len(row.looks)
         known[noun] = PartForms(nothing, (nothing,) * 3, (*least, *nothing[len(least) :]))
     return known

@@ -7,6 +7,7 @@ from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHO
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.home_and_kitchen import HOME_AND_KITCHEN
 from core.guidance.builtin.constructed.machines_and_vehicles import MACHINES_AND_VEHICLES
+from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.sites import SITES
@@ -15,6 +16,7 @@ from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
 
 THINGS: dict[str, Callable[[Draw], Parts]] = {
+    **REDRAWN,
     **SIGHTS,
     **HOME_AND_KITCHEN,
     **DESK_AND_WORKSHOP,

@@ -66,6 +66,7 @@ INSTRUMENTS = {
             "chinrest": "+33231b",
         },
         Usual(0.6, WOOD, 0.093),
+        constructed=True,
     ),
     "harp": Noun(
         "concert harp, celtic harp; lyre, zither",
@@ -78,6 +79,7 @@ INSTRUMENTS = {
             "crown": "+e0b04a . golden",
         },
         Usual(1.8, WOOD, 0.21),
+        constructed=True,
     ),
     "trumpet": Noun(
         "; bugle, cornet, trombone, french horn, tuba, brass horn, flugelhorn",

@@ -123,6 +123,7 @@ LANDMARKS = {
             "joints": "~7a7266",
         },
         Usual(3.6, STONE, 0.6),
+        constructed=True,
     ),
     "torii gate": Noun(
         "torii, torii gates, torii arch, japanese gate, japanese torii, japanese torii gate, "

@@ -192,6 +192,7 @@ STREET_AND_PLAYGROUND = {
             "base": "-8b8982 . stone",
         },
         Usual(40.0, STEEL, 0.005),
+        constructed=True,
     ),
     "solar panel": Noun(
         "solarpanel, photovoltaic panel, solar cell, solar module; solar array, solar collector",

@@ -61,6 +61,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "pedals": "-55585c . metal",
         },
         Usual(1.75, STEEL, 0.015),
+        constructed=True,
     ),
     "tricycle": Noun(
         "trike, three wheeler, tricycles, child's tricycle, kids tricycle; big wheel trike",

@@ -352,7 +352,7 @@ FRAMES = {
 WITH_PARTS = {
     "pot": {"cooking pot": "handle handles lid"},
     "pumpkin": {"jackolantern": "face faces eyes mouth nose smile grin teeth"},
-    **dict.fromkeys(("horse", "pony"), {"unicorn": "horn", "pegasus": "wings"}),
+    **{name: {"unicorn": "horn", "pegasus": "wings"} for name in ("horse", "pony")},
     "chair": {"office chair": "wheels casters castors", "rocking chair": "rockers"},
     "bed": {"canopy bed": "canopy posts"},
     "bus": {"double decker bus": "decks decker floors levels"},
