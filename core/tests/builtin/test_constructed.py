@@ -33,7 +33,7 @@ from core.guidance.builtin.palette import looks
 from core.guidance.builtin.words.vocabulary import parse
 from core.tests.drawn_things import shipped_prior
 
-MOST_FACES = 150_000
+MOST_FACES = 200_000
 
 
 def test_every_constructed_thing_has_its_solids():

@@ -1,9 +1,11 @@
 """Things that the networks know and drew badly: what is thin, long and much repeated."""
 
+import itertools
 from collections.abc import Callable
 
 import numpy as np
 
+from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
@@ -15,6 +17,7 @@ from core.guidance.builtin.constructed.shapes import (
     closed_curve,
     moved,
     pipe,
+    placed,
     plate,
     ring,
     rod,
@@ -207,10 +210,168 @@ def _bicycle(draw: Draw) -> Parts:
     }
 
 
+def _spiral_staircase(draw: Draw) -> Parts:
+    count, turn, high, reach = 13 + draw.which(4), draw(0.95, 1.15) * 2 * np.pi, 1.9, 0.62
+    step = turn / count
+    wide = [(reach * np.cos(a), reach * np.sin(a)) for a in (-0.62 * step, 0.0, 0.62 * step)]
+    wedge = [(0.05, -0.09), *wide, (0.05, 0.09)]
+    treads, posts, rail = [], [], []
+    for k in range(count):
+        angle, z = step * k, high * (k + 1) / count
+        c, s = np.cos(angle), np.sin(angle)
+        frame = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+        treads.append(plate(wedge, 0.05, (0, 0, z), frame))
+        at = (0.93 * reach * c, 0.93 * reach * s)
+        posts.append(rod((*at, z), (*at, z + 0.52), 0.012))
+        rail.append((*at, z + 0.52))
+    return {
+        "treads": treads,
+        "pole": [
+            rod((0, 0, 0), (0, 0, high + 0.6), 0.06),
+            ball(0.075, (0, 0, high + 0.62)),
+            rod((0, 0, -0.02), (0, 0, 0.05), 0.2, 0.16),
+        ],
+        "posts": posts,
+        "rail": [pipe(rail, 0.022)],
+    }
+
+
+def _satellite_dish(draw: Draw) -> Parts:
+    wide, deep, tilt = 0.75, draw(0.2, 0.26), np.radians(draw(35, 50))
+    radii = np.linspace(0, 1, 9)
+    inner = [(wide * r, deep * r * r) for r in radii]
+    outer = [(wide * r + 0.012 * bool(r), deep * r * r - 0.045) for r in radii]
+    c, s = np.cos(tilt), np.sin(tilt)
+    frame = np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+    focus, around = (0.0, 0.0, 0.62), np.pi * np.array([3, 7, 11]) / 6
+    ends = [(0.68 * np.cos(a), 0.68 * np.sin(a), 0.8 * deep) for a in around]
+    head = [rod((0, 0, 0.5), (0, 0, 0.7), 0.07, 0.05, 0.01), ball((0.05, 0.05, 0.04), (0, 0, 0.49))]
+    corners = [(a, 0.06 + b) for a in (-0.19, 0.19) for b in (-0.19, 0.19)]
+
+    def aimed(solids: list[Primitive]) -> list[Primitive]:
+        """Its axis is z until here."""
+        return placed(solids, frame, (0.0, -0.06, 0.95))
+
+    return {
+        "dish": aimed([turned([*outer, *inner[::-1]])]),
+        "rim": aimed([ring(wide, 0.03, (0, 0, deep - 0.01))]),
+        "receiver": aimed(head),
+        "arms": aimed([rod(end, focus, 0.016) for end in ends]),
+        "mast": [
+            *aimed([rod((0, 0, -0.2), (0, 0, -0.02), 0.12, 0.16)]),
+            rod((0, 0.06, 0.08), (0, 0.06, 0.86), 0.075, 0.06),
+            ball(0.11, (0, 0.06, 0.83)),
+        ],
+        "foot": [
+            box((0.5, 0.5, 0.08), (0, 0.06, 0.05), 0.015),
+            *(rod((*one, 0.08), (*one, 0.11), 0.025) for one in corners),
+        ],
+    }
+
+
+def _saw(draw: Draw) -> Parts:
+    teeth, long = 16 + draw.which(5), 1.0
+    places = np.linspace(long, 0.02, 2 * teeth + 1)
+    edge = np.stack([places, np.interp(places, [0, long], [-0.2, -0.13])], 1)
+    edge[1::2, 1] -= 0.03
+    blade = [(-0.06, 0.13), (long, 0.0), (long, -0.09), *edge.tolist(), (-0.06, -0.19)]
+    outside = [(-0.02, 0.16), (-0.02, -0.2), (-0.14, -0.24), (-0.32, -0.19), (-0.42, -0.22)]
+    outside += [(-0.4, -0.08), (-0.33, 0.0), (-0.36, 0.16), (-0.24, 0.19)]
+    hole = [(-0.12, 0.08), (-0.12, -0.12), (-0.2, -0.15), (-0.28, -0.09), (-0.25, 0.02)]
+    hole = closed_curve([*hole, (-0.24, 0.1), (-0.18, 0.12)])
+    return {
+        "blade": [plate(blade, 0.018, (0, 0, 0), FRONT)],
+        "handle": [plate(closed_curve(outside), 0.08, (0, 0, 0), FRONT, [hole])],
+        "rivets": [rod((-0.06, -0.05, z), (-0.06, 0.05, z), 0.022) for z in (-0.13, 0.0, 0.1)],
+    }
+
+
+def _shopping_cart(draw: Draw) -> Parts:
+    low, high, columns = 0.5, 0.95, 8 + draw.which(3)
+    # Of the basket below and above: half its width and its end, behind and in front.
+    below, above = np.array([0.3, 0.42, 0.22, -0.5]), np.array([0.36, 0.5, 0.27, -0.66])
+
+    def at(side: float, along: float, up: float) -> tuple[float, float, float]:
+        x, y, u, v = (below + up * (above - below)).tolist()
+        return (side * (x + along * (u - x)), y + along * (v - y), low + up * (high - low))
+
+    wires, across = [], np.linspace(-0.75, 0.75, 5)
+    for side in (-1, 1):
+        wires += [rod(at(side, t, 0), at(side, t, 1), 0.009) for t in np.linspace(0, 1, columns)]
+    for t in (0, 1):
+        wires += [rod(at(s, t, 0), at(s, t, 1), 0.009) for s in across]
+    wires += [rod(at(s, 0, 0), at(s, 1, 0), 0.009) for s in across]
+    wires += [rod(at(-1, t, 0), at(1, t, 0), 0.009) for t in np.linspace(0, 1, 8)]
+    for up, radius in ((0.0, 0.014), (0.33, 0.009), (0.66, 0.009), (1.0, 0.018)):
+        corners = [at(-1, 0, up), at(1, 0, up), at(1, 1, up), at(-1, 1, up)]
+        wires += [rod(a, b, radius) for a, b in itertools.pairwise([*corners, corners[0]])]
+        wires += [ball(radius, corner) for corner in corners]
+    side = [at(1, 0, 1.0), (0.33, 0.46, 0.6), (0.32, 0.4, 0.22), (0.3, 0.1, 0.16)]
+    frame = [
+        pipe([*side, (0.22, -0.55, 0.16)], 0.02),
+        rod((0.29, 0.0, 0.17), (0.24, -0.2, low), 0.016),
+        rod(at(1, 0, 1), (0.33, 0.62, 1.06), 0.018),
+    ]
+    wheels = []
+    for x, y in ((0.3, 0.4), (0.22, -0.5)):
+        frame.append(rod((x, y, 0.05), (x, y, 0.22), 0.016))
+        wheels.append(rod((x - 0.022, y, 0.07), (x + 0.022, y, 0.07), 0.07, rim=0.015))
+    spans = [rod((-x, y, 0.16), (x, y, 0.16), 0.014) for x, y in ((0.29, 0.1), (0.25, -0.3))]
+    return {
+        "basket": wires,
+        "frame": [*both_sides(frame), *spans],
+        "handle": [capsule((-0.33, 0.62, 1.06), (0.33, 0.62, 1.06), 0.032)],
+        "wheels": both_sides(wheels),
+        "flap": [box((0.5, 0.02, 0.2), (0, 0.455, 0.78), 0.006, (8, 0, 0))],
+    }
+
+
+def _truss(length: float, wide: float, cells: int) -> list[Primitive]:
+    """A square lattice along z."""
+    half = wide / 2
+    found = spun([rod((half, half, 0), (half, half, length), 0.02)], 4)
+    for k, (a, b) in enumerate(itertools.pairwise(np.linspace(0, length, cells + 1))):
+        side = half if k % 2 else -half
+        slope = rod((-side, half, a), (side, half, b), 0.012)
+        found += spun([slope, rod((-half, half, b), (half, half, b), 0.012)], 4)
+    return found
+
+
+def _crane(draw: Draw) -> Parts:
+    high, reach, back = 2.0, draw(1.35, 1.6), 0.62
+    along = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
+    boom = placed(_truss(reach + back, 0.16, 11), along, (-back, 0, high + 0.1))
+    peak = (0.0, 0.0, high + 0.62)
+    feet = [(0.08 * s, 0.08 * t, high + 0.05) for s in (-1, 1) for t in (-1, 1)]
+    at, end = 0.62 * reach, high - draw(0.7, 1.0)
+    curved = [(0, 0), (0, -0.08), (0.06, -0.15), (0, -0.2), (-0.06, -0.14)]
+    return {
+        "mast": [*_truss(high, 0.22, 9), box((0.28, 0.28, 0.1), (0, 0, high), 0.01)],
+        "jib": [*boom, *(rod(foot, peak, 0.018) for foot in feet), ball(0.03, peak)],
+        "ties": [rod(peak, (x, 0, high + 0.18), 0.011) for x in (0.75 * reach, 0.05 - back)],
+        "cab": [box((0.2, 0.2, 0.26), (0.12, -0.17, high - 0.03), 0.02)],
+        "weights": [
+            box((0.22, 0.24, 0.3), (-back + 0.12, 0, high - 0.02), 0.015),
+            box((0.66, 0.66, 0.12), (0, 0, -0.02), 0.02),
+        ],
+        "hook": [
+            box((0.14, 0.14, 0.06), (at, 0, high + 0.01), 0.01),
+            rod((at, 0, high), (at, 0, end), 0.012),
+            box((0.07, 0.06, 0.12), (at, 0, end + 0.02), 0.015),
+            pipe([(at + x, 0, end + z) for x, z in curved], (0.018, 0.02, 0.022, 0.02, 0.01)),
+        ],
+    }
+
+
 REDRAWN: dict[str, Callable[[Draw], Parts]] = {
     "wind turbine": _wind_turbine,
     "violin": _violin,
     "harp": _harp,
     "gate": _gate,
     "bicycle": _bicycle,
+    "spiral staircase": _spiral_staircase,
+    "satellite dish": _satellite_dish,
+    "saw": _saw,
+    "shopping cart": _shopping_cart,
+    "crane": _crane,
 }

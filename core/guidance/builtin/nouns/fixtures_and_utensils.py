@@ -92,6 +92,7 @@ FIXTURES_AND_UTENSILS = {
             "flap": "+e0453c . plastic",
         },
         Usual(1.1, STEEL, 0.015),
+        constructed=True,
     ),
     "aquarium": Noun(
         "fish tank, fishtank, aquariums, fish aquarium, tropical aquarium, "

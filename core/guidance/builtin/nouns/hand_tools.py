@@ -44,6 +44,7 @@ HAND_TOOLS = {
             "letters": "-565d63",
         },
         Usual(0.55, 2500.0, 0.062),
+        constructed=True,
     ),
     "chainsaw": Noun(
         "chain saw, power saw; circular saw",

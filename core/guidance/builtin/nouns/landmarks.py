@@ -212,6 +212,7 @@ LANDMARKS = {
             "rail": "+2b2d30 . metal",
         },
         Usual(3.2, STEEL, 0.07),
+        constructed=True,
     ),
     "sandcastle": Noun(
         "sandcastles, sand castle; castle of sand",

@@ -94,6 +94,7 @@ PHONES_CAMERAS_AND_AUDIO = {
             "seams": "~8f979f",
         },
         Usual(1.4, STEEL, 0.08),
+        constructed=True,
     ),
     "radio": Noun(
         "transistor radio, portable radio; walkie talkie",

@@ -153,6 +153,7 @@ STREET_AND_PLAYGROUND = {
             "holes": "-3a3d42",
         },
         Usual(40, STEEL, 0.002),
+        constructed=True,
     ),
     "silo": Noun(
         "grain silo, farm silo, corn silo, grain bin; granary, storage silo, grain elevator",
