@@ -120,7 +120,7 @@ OF_A_THING = {
         "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines, "
         "bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
     ),
-    "leaf": "chili pepper cap, palm nuts, island grass, eggplant cap, wreath leaves, wreath tips",
+    "leaf": "chili pepper cap, palm nuts, island grass, stonehenge grass, eggplant cap, wreath leaves, wreath tips",
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
@@ -243,7 +243,7 @@ OF_A_PART = {
 # The other parts of a thing.
 OF_THE_REST = {
     "bark": "log, stump, pinecone, treehouse",
-    "bone": "skeleton, seashell, bone",
+    "bone": "skeleton, seashell, bone, unicorn horn",
     "cast iron": "dumbbell, kettlebell",
     "ceramic": "bathtub, sink, toilet, bowl, mug, teapot, plate, salt shaker",
     "chitin": "beetle, ant, ladybug, scorpion, crab, dragonfly, lobster",
@@ -260,16 +260,17 @@ OF_THE_REST = {
     "fabric": "armchair, rug, parachute",
     "feathers": (
         "goose, turkey, rooster, bird, owl, penguin, chicken, flamingo, ostrich, swan, peacock, "
-        "parrot, eagle, phoenix, toucan"
+        "parrot, eagle, phoenix, toucan, wings"
     ),
-    "felt": "bee, spider, butterfly, wizard hat, sheep, ghost, hat",
+    "felt": "bee, spider, butterfly, wizard hat, sheep, ghost, hat, spider web",
+    "fur": "cat ears, fox ears, bunny ears, cat tail, fox tail",
     "flesh": "steak, bacon, chicken drumstick, hot dog",
     "hide": "pig, elephant, rhino, hippo, turtle, starfish, walrus",
     "leaf": "corn, leaf",
     "leather": "suitcase, handbag, boot",
     "paint": "bowling pin, slide, basketball hoop, carousel",
     "paper": (
-        "scroll, envelope, book, stack of books, paper cup, toilet paper, gift, cardboard box, "
+        "scroll, envelope, book, open book, stack of books, paper cup, toilet paper, gift, cardboard box, "
         "paper lantern, wanted poster, newspaper, treasure map, playing card, tarot card, "
         "pizza box, cereal box, passport"
     ),
@@ -278,12 +279,12 @@ OF_THE_REST = {
         "tomato, orange fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, "
         "coconut, pineapple, watermelon slice"
     ),
-    "plastic": "ball, balloon, torus, credit card, floppy disk, domino, mahjong tile",
+    "plastic": "butterfly wings, fairy wings, ball, balloon, torus, credit card, floppy disk, domino, mahjong tile",
     "scales": (
         "pufferfish, chameleon, velociraptor, pterodactyl, brachiosaurus, fish, snake, crocodile, "
         "lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, mermaid"
     ),
-    "skin": "hand, eyeball, brain, tooth, goblin, caterpillar",
+    "skin": "devil tail, hand, eyeball, brain, tooth, goblin, caterpillar",
     "snow": "snowman",
     "sand": "sandcastle",
     "soil": "volcano, mountain",
@@ -291,7 +292,7 @@ OF_THE_REST = {
         "orca, axolotl, frog, whale, shark, dolphin, octopus, seal, stingray, jellyfish, snail, "
         "alien"
     ),
-    "wicker": "nest, basket, rope, hay bale, beehive, sack, scarecrow",
+    "wicker": "dreamcatcher, nest, basket, rope, hay bale, beehive, sack, scarecrow",
     "wooden": "rocking horse, pawn, totem pole, staircase, gazebo, chessboard",
 }
 # The other parts of the things of a group.

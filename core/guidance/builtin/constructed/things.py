@@ -5,12 +5,9 @@ from collections.abc import Callable
 from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
 from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.draw import Draw
-from core.guidance.builtin.constructed.home_and_kitchen import HOME_AND_KITCHEN
-from core.guidance.builtin.constructed.machines_and_vehicles import MACHINES_AND_VEHICLES
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
-from core.guidance.builtin.constructed.sites import SITES
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
@@ -18,10 +15,7 @@ from core.guidance.builtin.words.phrases.slots import Words
 THINGS: dict[str, Callable[[Draw], Parts]] = {
     **REDRAWN,
     **SIGHTS,
-    **HOME_AND_KITCHEN,
     **DESK_AND_WORKSHOP,
-    **SITES,
-    **MACHINES_AND_VEHICLES,
     **CHARMS_AND_GAMES,
 }
 

@@ -11,9 +11,6 @@ from core.guidance.builtin.nouns.boats_and_ships import BOATS_AND_SHIPS
 from core.guidance.builtin.nouns.bread_and_sweets import BREAD_AND_SWEETS
 from core.guidance.builtin.nouns.built_charms_and_games import BUILT_CHARMS_AND_GAMES
 from core.guidance.builtin.nouns.built_desk_and_workshop import BUILT_DESK_AND_WORKSHOP
-from core.guidance.builtin.nouns.built_home_and_kitchen import BUILT_HOME_AND_KITCHEN
-from core.guidance.builtin.nouns.built_machines_and_vehicles import BUILT_MACHINES_AND_VEHICLES
-from core.guidance.builtin.nouns.built_sites import BUILT_SITES
 from core.guidance.builtin.nouns.cars import CARS
 from core.guidance.builtin.nouns.clothes_and_shoes import CLOTHES_AND_SHOES
 from core.guidance.builtin.nouns.common_wild_animals import COMMON_WILD_ANIMALS
@@ -67,7 +64,7 @@ from core.guidance.builtin.nouns.weapons import WEAPONS
 GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Solids": SOLIDS,
     "Furniture": SEATS_AND_BEDS | TABLES_CABINETS_AND_LAMPS,
-    "Household": KITCHEN | DOORS_AND_BATHROOM | LAMPS_CLOCKS_AND_ORNAMENTS | BUILT_HOME_AND_KITCHEN,
+    "Household": KITCHEN | DOORS_AND_BATHROOM | LAMPS_CLOCKS_AND_ORNAMENTS,
     "Fixtures and Utensils": FIXTURES_AND_UTENSILS,
     "Small Things": TABLEWARE_AND_TEXTILES
     | SCHOOL_AND_LABORATORY
@@ -90,13 +87,9 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     | BIRDS
     | REPTILES_AND_INSECTS
     | DINOSAURS_AND_MYTHICAL_BEASTS,
-    "Vehicles": TRUCKS_BUSES_AND_TRACTORS
-    | CARS
-    | BOATS_AND_SHIPS
-    | TRAINS_CYCLES_AND_CARTS
-    | BUILT_MACHINES_AND_VEHICLES,
+    "Vehicles": TRUCKS_BUSES_AND_TRACTORS | CARS | BOATS_AND_SHIPS | TRAINS_CYCLES_AND_CARTS,
     "Aircraft and Space": AIRCRAFT_AND_SPACE,
-    "Buildings": HOUSES | LANDMARKS | STREET_AND_PLAYGROUND | SIGHTS | BUILT_SITES,
+    "Buildings": HOUSES | LANDMARKS | STREET_AND_PLAYGROUND | SIGHTS,
     "Electronics": COMPUTERS_AND_GAME_MACHINES | PHONES_CAMERAS_AND_AUDIO | ELECTRIC_MACHINES,
     "Clothes": CLOTHES_AND_SHOES | HATS_BAGS_AND_JEWELLERY | APPENDAGES,
     "Sport": SPORT,

@@ -131,7 +131,7 @@ SCHOOL_AND_LABORATORY = {
     ),
     "molecule": Noun(
         "molecules, water molecule, molecule model, molecular model, methane molecule, h2o, "
-        "h2o molecule; atom, chemical compound, dna, protein, atoms",
+        "h2o molecule; atom, chemical compound, protein, atoms",
         {
             "core": "*d42a24",
             "atoms": "+f2f2ee",
@@ -146,7 +146,7 @@ SCHOOL_AND_LABORATORY = {
     ),
     "flask": Noun(
         "laboratory flask, lab flask, erlenmeyer flask, erlenmeyer, conical flask, "
-        "chemistry flask, science flask; beaker, test tube, round bottom flask, chemical "
+        "chemistry flask, science flask; beaker, round bottom flask, chemical "
         "flask, canteen",
         {
             "glass": "*c4e2e8 . glass",

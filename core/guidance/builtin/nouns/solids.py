@@ -14,8 +14,8 @@ SOLIDS = {
         Usual(0.3, WOOD),
     ),
     "torus": Noun(
-        "; inner tube, bracelet, lifebuoy, life preserver, steering wheel, life buoy, life "
-        "ring, swim ring, swimming ring, pool ring, inflatable ring, pool float, rubber ring, "
+        "; inner tube, bracelet, "
+        "swim ring, swimming ring, pool ring, inflatable ring, pool float, rubber ring, "
         "rubber tube",
         {"body": "*e07a2c"},
         Usual(0.3, RUBBER, 0.3),
@@ -36,7 +36,7 @@ SOLIDS = {
         Usual(0.2, PLASTIC, 0.3),
     ),
     "star": Noun(
-        "five pointed star; sheriff star, sheriff badge, star shape, shuriken",
+        "five pointed star; sheriff star, sheriff badge, star shape",
         {"body": "*f4bf26"},
         Usual(0.2, PLASTIC, 0.3),
     ),

@@ -32,7 +32,7 @@ TOYS_AND_GAMES = {
         Usual(0.9, WOOD, 0.6),
     ),
     "spinning top": Noun(
-        "toy top; dreidel, whirligig",
+        "toy top; dreidel",
         {
             "body": "*d8322a . paint",
             "stripe": "+f4c22c . paint",

@@ -7,10 +7,9 @@ then the kinds with it. A kind that is not here has the thing's own size. Standa
 _ROWS = {
     # solids
     "ball": "0.08: snowball",
-    "torus": "0.07: bracelet; 0.38: steering wheel; 0.75: lifebuoy, life preserver, life buoy, "
-    "life ring; 0.9: inner tube, swim ring, swimming ring, pool ring, inflatable ring, "
-    "rubber ring, rubber tube; 1.1: pool float",
-    "star": "0.08: sheriff star, sheriff badge; 0.1: shuriken",
+    "torus": "0.07: bracelet; 0.9: inner tube, swim ring, swimming ring, pool ring, "
+    "inflatable ring, rubber ring, rubber tube; 1.1: pool float",
+    "star": "0.08: sheriff star, sheriff badge",
     # furniture
     "table": "1.8: altar",
     "sofa": "1.5: loveseat; 2.8: sectional",
