@@ -120,7 +120,10 @@ OF_A_THING = {
         "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines, "
         "bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
     ),
-    "leaf": "chili pepper cap, palm nuts, island grass, stonehenge grass, eggplant cap, wreath leaves, wreath tips",
+    "leaf": (
+        "chili pepper cap, palm nuts, island grass, stonehenge grass, eggplant cap, wreath leaves, "
+        "wreath tips"
+    ),
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
@@ -270,8 +273,8 @@ OF_THE_REST = {
     "leather": "suitcase, handbag, boot",
     "paint": "bowling pin, slide, basketball hoop, carousel",
     "paper": (
-        "scroll, envelope, book, open book, stack of books, paper cup, toilet paper, gift, cardboard box, "
-        "paper lantern, wanted poster, newspaper, treasure map, playing card, tarot card, "
+        "scroll, envelope, book, open book, stack of books, paper cup, toilet paper, gift, "
+        "cardboard box, paper lantern, wanted poster, newspaper, treasure map, playing card, tarot card, "
         "pizza box, cereal box, passport"
     ),
     "peel": (
@@ -279,7 +282,10 @@ OF_THE_REST = {
         "tomato, orange fruit, kiwi, garlic, banana, pumpkin, carrot, potato, avocado, onion, "
         "coconut, pineapple, watermelon slice"
     ),
-    "plastic": "butterfly wings, fairy wings, ball, balloon, torus, credit card, floppy disk, domino, mahjong tile",
+    "plastic": (
+        "butterfly wings, fairy wings, ball, balloon, torus, credit card, floppy disk, domino, "
+        "mahjong tile"
+    ),
     "scales": (
         "pufferfish, chameleon, velociraptor, pterodactyl, brachiosaurus, fish, snake, crocodile, "
         "lizard, dragon, dinosaur, triceratops, stegosaurus, seahorse, mermaid"
