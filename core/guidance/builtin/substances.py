@@ -274,7 +274,8 @@ OF_THE_REST = {
     "paint": "bowling pin, slide, basketball hoop, carousel",
     "paper": (
         "scroll, envelope, book, open book, stack of books, paper cup, toilet paper, gift, "
-        "cardboard box, paper lantern, wanted poster, newspaper, treasure map, playing card, tarot card, "
+        "cardboard box, paper lantern, wanted poster, newspaper, treasure map, playing card, "
+        "tarot card, "
         "pizza box, cereal box, passport"
     ),
     "peel": (
