@@ -50,7 +50,8 @@ def offered_words() -> dict[str, list[str]]:
         except (FileNotFoundError, ValueError, KeyError) as error:
             raise weights_error(path, error) from error
     known = set(words["noun"])
-    words["noun"] += [n for n, row in NOUNS.items() if row.solid in known or row.constructed]
+    more = (n for n, row in NOUNS.items() if row.solid in known or row.constructed)
+    words["noun"] += [noun for noun in more if noun not in known]
     return words
 
 

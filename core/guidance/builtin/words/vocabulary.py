@@ -290,14 +290,13 @@ def _parsed(
         if not more or shorter_words.noun != words.noun:
             break
         companions, rest, words = [*companions, *more], shorter, shorter_words
+    others = [(one.relation, one.words.noun) for one in companions]
+    words = in_a_vessel(words, rest, others) if companions else words
     bunched = companions and words.noun in FLOWERS  # ``as_bouquet`` counts these
     one = words.count == 1 and words.order == "row" and not words.is_statue
     if one and not bunched and is_plain_plural(rest):
         words = replace(words, count=FEW)
-    if companions:
-        others = [(one.relation, one.words.noun) for one in companions]
-        return with_companions(in_a_vessel(words, rest, others), companions)
-    return words
+    return with_companions(words, companions) if companions else words
 
 
 def _readers(known: Vocabulary, ignore_unknown: bool) -> tuple[Reader, Callable[[str], str]]:
