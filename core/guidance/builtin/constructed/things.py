@@ -3,12 +3,18 @@
 from collections.abc import Callable
 
 from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
+from core.guidance.builtin.constructed.cooking_and_bath import COOKING_AND_BATH
 from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.engines_and_crafts import ENGINES_AND_CRAFTS
+from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
+from core.guidance.builtin.constructed.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
+from core.guidance.builtin.constructed.monuments import MONUMENTS
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
+from core.guidance.builtin.constructed.stage_and_studio import STAGE_AND_STUDIO
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
 
@@ -17,6 +23,12 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **SIGHTS,
     **DESK_AND_WORKSHOP,
     **CHARMS_AND_GAMES,
+    **COOKING_AND_BATH,
+    **GARDEN_AND_LEISURE,
+    **LABORATORY_AND_WORKSHOP,
+    **STAGE_AND_STUDIO,
+    **MONUMENTS,
+    **ENGINES_AND_CRAFTS,
 }
 
 

@@ -15,27 +15,32 @@ from core.guidance.builtin.nouns.cars import CARS
 from core.guidance.builtin.nouns.clothes_and_shoes import CLOTHES_AND_SHOES
 from core.guidance.builtin.nouns.common_wild_animals import COMMON_WILD_ANIMALS
 from core.guidance.builtin.nouns.computers_and_game_machines import COMPUTERS_AND_GAME_MACHINES
+from core.guidance.builtin.nouns.cooking_and_bath import COOKING_AND_BATH
 from core.guidance.builtin.nouns.crates_and_drums import CRATES_AND_DRUMS
 from core.guidance.builtin.nouns.dinosaurs_and_mythical_beasts import DINOSAURS_AND_MYTHICAL_BEASTS
 from core.guidance.builtin.nouns.dishes_and_groceries import DISHES_AND_GROCERIES
 from core.guidance.builtin.nouns.doors_and_bathroom import DOORS_AND_BATHROOM
 from core.guidance.builtin.nouns.electric_machines import ELECTRIC_MACHINES
+from core.guidance.builtin.nouns.engines_and_crafts import ENGINES_AND_CRAFTS
 from core.guidance.builtin.nouns.fairy_tale_folk import FAIRY_TALE_FOLK
 from core.guidance.builtin.nouns.farm_animals_and_pets import FARM_ANIMALS_AND_PETS
 from core.guidance.builtin.nouns.figures import FIGURES
 from core.guidance.builtin.nouns.fixtures_and_utensils import FIXTURES_AND_UTENSILS
 from core.guidance.builtin.nouns.flags_and_signs import FLAGS_AND_SIGNS
 from core.guidance.builtin.nouns.fruit_and_vegetables import FRUIT_AND_VEGETABLES
+from core.guidance.builtin.nouns.garden_and_leisure import GARDEN_AND_LEISURE
 from core.guidance.builtin.nouns.gifts_and_decorations import GIFTS_AND_DECORATIONS
 from core.guidance.builtin.nouns.hand_tools import HAND_TOOLS
 from core.guidance.builtin.nouns.hats_bags_and_jewellery import HATS_BAGS_AND_JEWELLERY
 from core.guidance.builtin.nouns.houses import HOUSES
 from core.guidance.builtin.nouns.instruments import INSTRUMENTS
 from core.guidance.builtin.nouns.kitchen import KITCHEN
+from core.guidance.builtin.nouns.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
 from core.guidance.builtin.nouns.lamps_clocks_and_ornaments import LAMPS_CLOCKS_AND_ORNAMENTS
 from core.guidance.builtin.nouns.landmarks import LANDMARKS
 from core.guidance.builtin.nouns.mammals import MAMMALS
 from core.guidance.builtin.nouns.monsters import MONSTERS
+from core.guidance.builtin.nouns.monuments import MONUMENTS
 from core.guidance.builtin.nouns.noun import Noun
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.people import PEOPLE
@@ -52,6 +57,7 @@ from core.guidance.builtin.nouns.sights import SIGHTS
 from core.guidance.builtin.nouns.solids import SOLIDS
 from core.guidance.builtin.nouns.sound_and_hardware import SOUND_AND_HARDWARE
 from core.guidance.builtin.nouns.sport import SPORT
+from core.guidance.builtin.nouns.stage_and_studio import STAGE_AND_STUDIO
 from core.guidance.builtin.nouns.statues_and_body_parts import STATUES_AND_BODY_PARTS
 from core.guidance.builtin.nouns.street_and_playground import STREET_AND_PLAYGROUND
 from core.guidance.builtin.nouns.tables_cabinets_and_lamps import TABLES_CABINETS_AND_LAMPS
@@ -91,6 +97,12 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Sport": SPORT,
     "Tools and Toys": HAND_TOOLS | TOYS_AND_GAMES,
     "Instruments": INSTRUMENTS,
+    "Kitchen and Bath": COOKING_AND_BATH,
+    "Garden and Leisure": GARDEN_AND_LEISURE,
+    "Laboratory and Workshop": LABORATORY_AND_WORKSHOP,
+    "Stage and Studio": STAGE_AND_STUDIO,
+    "Monuments": MONUMENTS,
+    "Engines and Crafts": ENGINES_AND_CRAFTS,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 # The networks' rows; then what is another thing's solid, and what no network draws.
