@@ -113,6 +113,21 @@ def test_where_it_is_not_put_together_a_note_says_that_no_network_knows_it():
     assert drawn.words.indices(("noun",)) == [0]
 
 
-def test_a_shape_is_left_out_with_a_note():
-    words = parse("a tall swimming pool")
+@pytest.mark.parametrize(("adjective", "axis"), [("tall", 2), ("wide", 0), ("thick", 1)])
+def test_it_is_stretched_for_a_shape_adjective(adjective, axis):
+    plain, other = (
+        shipped_prior().prompted(f"a {shape} harp", "").of_object(0).solid
+        for shape in ("", adjective)
+    )
+    before, after = ((v.amax(0) - v.amin(0)) for v in (plain.mesh[0], other.mesh[0]))
+    assert int((after / before).argmax()) == axis and (after / before)[axis] > 1.05
+    assert float(other.mesh[0].norm(dim=1).max()) == pytest.approx(0.9, abs=0.03)
+    away = other.sdf(other.mesh[0])  # within another solid, less than 0
+    assert float(away.max()) < 0.02 and float(away.median().abs()) < 0.002
+    parts = torch.cat([one.verts for one in other.known.components])
+    assert torch.allclose(parts, other.mesh[0])
+
+
+def test_a_round_one_keeps_its_own_form_with_a_note():
+    words = parse("a round swimming pool")
     assert not words.shape and any("keeps its own form" in note for note in words.notes)

@@ -1,7 +1,7 @@
 """A thing that is put together from simple solids, which are known exactly: it is not drawn."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -17,10 +17,12 @@ from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import FAR, Solid
 from core.guidance.builtin.solid_net import PARTS, SolidNet, Triplane
+from core.guidance.builtin.stretch import STRETCH, frame_of
 from core.guidance.builtin.words.phrases.slots import Words
 
 EDGE = 0.05  # training units: of the meshes' flat faces
 ERROR = 0.02  # training units
+THICK = 1.4  # times
 NOTHING = Triplane([], [], torch.zeros(1, 0), torch.zeros(1, 2, dtype=torch.bool))  # is asked
 
 
@@ -40,11 +42,27 @@ class ConstructedSolid(Solid):
 
     def away(self, name: str, points: Float[Tensor, "n 3"]) -> Float[Tensor, " n"]:
         """The signed distance from the part of that name."""
-        return torch.stack([one.distance(points) for one in self.solids[name]]).amin(0)
+        scale, center = (points.new_tensor(of) for of in (self.frame.scale, self.frame.center))
+        local = points / scale + center
+        each = torch.stack([one.distance(local) for one in self.solids[name]])
+        return each.amin(0) * min(self.frame.scale)
 
     def surface_of(self, one: Primitive) -> Mesh:
         """A solid's surface."""
-        return one.mesh(EDGE)
+        verts, faces = one.mesh(EDGE)
+        return self._placed(verts), faces
+
+    def stretched(self, adjective: str) -> "ConstructedSolid":
+        """The thing stretched for an adjective, in the training's place and size; a thick one along
+        its shortest side."""
+        factors = list(STRETCH[adjective][0])
+        if adjective == "thick":
+            verts = self.mesh[0]
+            shortest = int((verts.amax(0) - verts.amin(0)).argmin())
+            factors = [THICK if axis == shortest else 1.0 for axis in range(3)]
+        x, y, z = factors
+        frame = frame_of(self.mesh[0], (x, y, z))
+        return replace(self, frame=frame)
 
     @cached_property
     def known(self) -> "ConstructedParts":
@@ -105,4 +123,5 @@ def solid_of_parts(
 ) -> ConstructedSolid:
     """These parts of the noun as a solid, without the absent ones."""
     there = {name: own for name, own in parts.items() if name not in words.absent}
-    return ConstructedSolid(net, NOTHING, solids=there, names=tuple(looks(words.noun)))
+    solid = ConstructedSolid(net, NOTHING, solids=there, names=tuple(looks(words.noun)))
+    return solid.stretched(words.shape) if words.shape else solid

@@ -27,20 +27,15 @@ class Stature(Likeness):
     def _set_roundness(self) -> None:
         """A round table is another table, not a swollen one; a round cat is a plump one."""
         thing, shapes = self.got.thing, self.got.found["shape"]
-        if thing in CONSTRUCTED:
-            for one in list(shapes):
-                shapes.remove(one)
-                why = f"{with_article('noun', thing)} keeps its own form here"
-                self.got.leave_aside([one.form], why)
-            return
-        stated = [one for one in shapes if one.word == "round" and one.form not in PLUMP]
+        rigid = thing in CONSTRUCTED
+        stated = [one for one in shapes if one.word == "round" and (rigid or one.form not in PLUMP)]
         if not thing or thing == "table" or is_creature(thing):  # the network knows a round table
             return
         for one in stated:
             shapes.remove(one)
             if sort := sort_of(thing, one.word):
                 self.got.sort = sort
-            elif not is_round(thing):
+            elif rigid or not is_round(thing):
                 why = f"{with_article('noun', thing)} keeps its own form here"
                 self.got.leave_aside([one.form], why)
 
