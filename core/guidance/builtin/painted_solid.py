@@ -54,6 +54,7 @@ FACES = "head", "face"
 LID = 0.7  # sRGB, of the colour around it
 UNCUT = "left out, as only what the built-in prior puts together itself is cut."
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
+FIXED = "left out, as the parts of this thing keep their sizes."
 UNCOUNTED = "left out, as parts are counted only on what the built-in prior puts together itself."
 UNFIT_COUNT = "left out, as that many do not fit there."
 NO_ROOM = "left out, as the thing has no room for it."
@@ -280,11 +281,13 @@ class PaintedSolid:
         stay = (part for part in self.words.absent if bears(self.words, part))
         no_room = (one.emblem for one in self.emblems if not one.has_place)
         drawn = self.whole and not isinstance(self.solid, Garment)
+        fixed = isinstance(self.solid, ConstructedSolid)
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
             *self.uncounted(),
-            *(() if drawn else (*unsized(self.words), *uncut(self.words))),
+            *(() if drawn and not fixed else unsized(self.words, FIXED if drawn else UNSIZED)),
+            *(() if drawn else uncut(self.words)),
         )
 
     def uncounted(self) -> Iterator[str]:
@@ -306,9 +309,9 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
     return (lid._replace(name=one.name) if one.name in shut else one for one in paints)
 
 
-def unsized(words: Words) -> Iterator[str]:
+def unsized(words: Words, why: str = UNSIZED) -> Iterator[str]:
     """A note on each part whose size is left out."""
-    return (f"{size} {part}: {UNSIZED}" for part, size in words.part_sizes)
+    return (f"{size} {part}: {why}" for part, size in words.part_sizes)
 
 
 def uncounted_of(words: Words) -> Iterator[str]:

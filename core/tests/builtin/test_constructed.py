@@ -131,3 +131,11 @@ def test_it_is_stretched_for_a_shape_adjective(adjective, axis):
 def test_a_round_one_keeps_its_own_form_with_a_note():
     words = parse("a round swimming pool")
     assert not words.shape and any("keeps its own form" in note for note in words.notes)
+
+
+def test_its_parts_keep_their_sizes_with_a_note():
+    drawn = shipped_prior().prompted("a bicycle with large wheels", "").of_object(0)
+    assert any("large wheels" in note for note in drawn.left_out())
+    whole = shipped_prior().prompted("a bicycle", "").of_object(0)
+    assert not whole.left_out()
+    assert torch.equal(drawn.solid.mesh[0], whole.solid.mesh[0])
