@@ -11,6 +11,8 @@ from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEIS
 from core.guidance.builtin.constructed.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
 from core.guidance.builtin.constructed.monuments import MONUMENTS
 from core.guidance.builtin.constructed.redrawn import REDRAWN
+from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
+from core.guidance.builtin.constructed.redrawn_vehicles import REDRAWN_VEHICLES
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
@@ -20,6 +22,8 @@ from core.guidance.builtin.words.phrases.slots import Words
 
 THINGS: dict[str, Callable[[Draw], Parts]] = {
     **REDRAWN,
+    **REDRAWN_ARMS,
+    **REDRAWN_VEHICLES,
     **SIGHTS,
     **DESK_AND_WORKSHOP,
     **CHARMS_AND_GAMES,

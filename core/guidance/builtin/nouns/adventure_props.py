@@ -69,6 +69,7 @@ ADVENTURE_PROPS = {
             "bands": "-c79a3e . golden",
         },
         Usual(2.2, STEEL, 0.5),
+        constructed=True,
     ),
     "bomb": Noun(
         "; sea mine, naval mine, bob omb, cannonball, cannon ball",

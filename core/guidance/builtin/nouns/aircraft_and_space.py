@@ -53,6 +53,7 @@ AIRCRAFT_AND_SPACE = {
             "nose": "~46525e . paint",
         },
         Usual(17.0, STEEL, 0.0081),
+        constructed=True,
     ),
     "helicopter": Noun(
         "chopper helicopter, heli",
@@ -67,6 +68,7 @@ AIRCRAFT_AND_SPACE = {
             "bands": "+f4f1e6 . paint",
         },
         Usual(11.0, STEEL, 0.0042),
+        constructed=True,
     ),
     "hot air balloon": Noun(
         "hot-air balloon, air balloon; montgolfier",

@@ -112,6 +112,7 @@ BOATS_AND_SHIPS = {
             "seams": "~432510 grain",
         },
         Usual(30.0, WOOD, 0.1),
+        constructed=True,
     ),
     "longship": Noun(
         "viking ship, viking longship, viking boat, long ship, longboat, drakkar; dragon boat",

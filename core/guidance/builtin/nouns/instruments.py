@@ -90,11 +90,13 @@ INSTRUMENTS = {
             "mouthpiece": "+c3c8cd . metal",
         },
         Usual(0.5, COPPER, 0.066),
+        constructed=True,
     ),
     "saxophone": Noun(
         "sax; clarinet, oboe, bassoon",
         {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
         Usual(0.7, COPPER, 0.023),
+        constructed=True,
     ),
     "flute": Noun(
         "concert flute, transverse flute, western flute; piccolo, fife, recorder, tin whistle, "

@@ -88,6 +88,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "fins": "-4d5156 . metal",
         },
         Usual(2.1, STEEL, 0.06),
+        constructed=True,
     ),
     "scooter": Noun(
         "motor scooter, vespa; moped, lambretta, scooty",
@@ -142,6 +143,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "seams": "~63401f grain",
         },
         Usual(3.5, WOOD, 0.25),
+        constructed=True,
     ),
     "stagecoach": Noun(
         "stage coach, carriage, horse carriage, horse drawn carriage, royal carriage, "

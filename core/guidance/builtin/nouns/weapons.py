@@ -108,6 +108,7 @@ WEAPONS = {
             "feathers": "-c8322a",
         },
         Usual(1.5, WOOD, 0.035),
+        constructed=True,
     ),
     "quiver": Noun(
         "quivers, quiver of arrows, arrow quiver, archer's quiver, archer quiver, "
@@ -133,6 +134,7 @@ WEAPONS = {
             "trigger": "-3a3c40 . metal",
         },
         Usual(0.8, WOOD, 0.22),
+        constructed=True,
     ),
     "catapult": Noun(
         "catapults, siege catapult; trebuchet, mangonel, onager, siege engine",
@@ -145,6 +147,7 @@ WEAPONS = {
             "bands": "-4a4d52 . metal",
         },
         Usual(3.5, WOOD, 0.25),
+        constructed=True,
     ),
     "chestplate": Noun(
         "chest plate, breastplate, breast plate, cuirass; armor, armour, body armor, body armour, "
@@ -174,6 +177,7 @@ WEAPONS = {
             "bands": "-2a1a10 . rubber",
         },
         Usual(1.0, STEEL, 0.0105),
+        constructed=True,
     ),
     "shotgun": Noun(
         "shotguns, shot gun, pump shotgun, pump action shotgun, pump-action shotgun, hunting "
@@ -188,6 +192,7 @@ WEAPONS = {
             "shells": "+d03a2c . plastic",
         },
         Usual(1.1, STEEL, 0.02),
+        constructed=True,
     ),
     "revolver": Noun(
         "six shooter, sixshooter, magnum, cowboy gun, western revolver, cowboy revolver, "
