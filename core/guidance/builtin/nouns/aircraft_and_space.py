@@ -25,6 +25,7 @@ AIRCRAFT_AND_SPACE = {
             "bands": "-3d6fb3 . paint",
         },
         Usual(12.0, STEEL, 0.0078),
+        constructed=True,
     ),
     "biplane": Noun(
         "bi plane, double decker plane; propeller plane, prop plane, propeller airplane, "

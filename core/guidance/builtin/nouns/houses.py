@@ -87,6 +87,7 @@ HOUSES = {
             "frames": "-f0e6d0",
         },
         Usual(6.0, WOOD, 0.3),
+        constructed=True,
     ),
     "mushroom house": Noun(
         "mushroom houses, toadstool house, mushroom home, mushroom cottage; fairy house, "

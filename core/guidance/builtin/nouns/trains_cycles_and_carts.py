@@ -24,6 +24,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "bands": "+e2b648 . golden",
         },
         Usual(12.0, STEEL, 0.047),
+        constructed=True,
     ),
     "tram": Noun(
         "tramcar, streetcar, trolley; railcar, subway, subway car, metro train",
@@ -132,9 +133,7 @@ TRAINS_CYCLES_AND_CARTS = {
         Usual(1.4, STEEL, 0.02),
     ),
     "wagon": Noun(
-        "cart, covered wagon, horse cart; hand cart, handcart, chariot, pram, stroller, pushchair, "
-        "baby carriage, baby stroller, "
-        "buggy pram",
+        "cart, covered wagon, horse cart; hand cart, handcart, chariot",
         {
             "body": "*94602f grain",
             "wheels": "&6b4220 grain",
@@ -157,6 +156,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "luggage": "-6b4326 . leather",
         },
         Usual(4.2, WOOD, 0.19),
+        constructed=True,
     ),
     "sled": Noun(
         "sledge, toboggan; luge, bobsled",
@@ -198,5 +198,19 @@ TRAINS_CYCLES_AND_CARTS = {
             "straps": "-3a3d41 . fabric",
         },
         Usual(6.0, FABRIC, 0.02),
+    ),
+    "baby stroller": Noun(
+        "stroller, pram, baby carriage, pushchair, perambulator, baby buggy, baby pram, buggy pram, "
+        "strollers",
+        {
+            "body": "*2f4f86 . fabric",
+            "hood": "*2f4f86 . fabric",
+            "bedding": "+f2e6d6 . fabric",
+            "frame": "-b9bec4 . metal",
+            "grip": "-232326 . rubber",
+            "tyres": "-1c1c1e . rubber",
+        },
+        Usual(1.1, FABRIC, 0.4),
+        constructed=True,
     ),
 }

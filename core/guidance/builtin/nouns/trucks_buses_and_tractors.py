@@ -243,6 +243,7 @@ TRUCKS_BUSES_AND_TRACTORS = {
             "vents": "~414a2b",
         },
         Usual(8.0, STEEL, 0.1),
+        constructed=True,
     ),
     "rover": Noun(
         "mars rover, moon rover, space rover, lunar rover, planetary rover, exploration rover, "

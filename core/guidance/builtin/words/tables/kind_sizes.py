@@ -311,8 +311,7 @@ _ROWS = {
     "jeep": "4.7: suv, land rover, humvee, hummer; 5: range rover",
     "canoe": "11: gondola",
     "pirate ship": "45: galleon, frigate; 60: sailing ship, sail ship, tall ship, tallship",
-    "wagon": "0.95: stroller, pushchair, baby stroller; 1.1: pram, baby carriage, buggy pram; "
-    "1.6: hand cart, handcart; 2.5: chariot",
+    "wagon": "1.6: hand cart, handcart; 2.5: chariot",
     "skateboard": "1.05: longboard",
     "sled": "3.5: bobsled",
     "longship": "12: dragon boat",
