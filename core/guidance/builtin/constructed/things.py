@@ -13,6 +13,8 @@ from core.guidance.builtin.constructed.monuments import MONUMENTS
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
 from core.guidance.builtin.constructed.redrawn_rails_and_roads import REDRAWN_RAILS_AND_ROADS
+from core.guidance.builtin.constructed.redrawn_buildings import REDRAWN_BUILDINGS
+from core.guidance.builtin.constructed.redrawn_studio import REDRAWN_STUDIO
 from core.guidance.builtin.constructed.redrawn_vehicles import REDRAWN_VEHICLES
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
@@ -23,6 +25,8 @@ from core.guidance.builtin.words.phrases.slots import Words
 
 THINGS: dict[str, Callable[[Draw], Parts]] = {
     **REDRAWN,
+    **REDRAWN_BUILDINGS,
+    **REDRAWN_STUDIO,
     **REDRAWN_RAILS_AND_ROADS,
     **REDRAWN_ARMS,
     **REDRAWN_VEHICLES,

@@ -137,6 +137,7 @@ AIRCRAFT_AND_SPACE = {
             "stripes": "+b3231f . paint",
         },
         Usual(12.0, STEEL, 0.02),
+        constructed=True,
     ),
     "ufo": Noun(
         "flying saucer; alien ship, alien spaceship, mothership",

@@ -125,6 +125,7 @@ BOATS_AND_SHIPS = {
             "shields": "+d9a53a",
         },
         Usual(20.0, WOOD, 0.1),
+        constructed=True,
     ),
     "cargo ship": Noun(
         "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, freight "

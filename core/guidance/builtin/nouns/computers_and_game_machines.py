@@ -112,6 +112,7 @@ COMPUTERS_AND_GAME_MACHINES = {
             "paper": "-faf8f0",
         },
         Usual(0.42, STEEL, 0.08),
+        constructed=True,
     ),
     "calculator": Noun(
         "pocket calculator, desk calculator, electronic calculator; adding machine",

@@ -102,6 +102,7 @@ ELECTRIC_MACHINES = {
             "band": "-e3bb4c . golden",
         },
         Usual(0.42, STEEL, 0.23),
+        constructed=True,
     ),
     "lawn mower": Noun(
         "lawnmower, mower, grass mower, grass cutter",

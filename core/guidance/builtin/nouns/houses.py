@@ -260,5 +260,6 @@ HOUSES = {
             "seams": "~3a3f4a",
         },
         Usual(25.0, STONE, 0.1),
+        constructed=True,
     ),
 }

@@ -16,6 +16,7 @@ INSTRUMENTS = {
             "pickguard": "-3c1d0e . plastic",
         },
         Usual(1.0, WOOD, 0.15),
+        constructed=True,
     ),
     "electric guitar": Noun(
         "electric guitars, e-guitar, e guitar, rock guitar, lead guitar; bass guitar, "
@@ -30,6 +31,7 @@ INSTRUMENTS = {
             "frets": "-c9ccd0 . metal",
         },
         Usual(1.0, WOOD, 0.15),
+        constructed=True,
     ),
     "banjo": Noun(
         "; mandolin, lute",

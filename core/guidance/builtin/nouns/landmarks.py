@@ -14,6 +14,7 @@ LANDMARKS = {
             "seams": "-38220f",
         },
         Usual(40.0, STONE, 0.3),
+        constructed=True,
     ),
     "tower": Noun(
         "castle tower, watchtower; turret",
@@ -54,6 +55,7 @@ LANDMARKS = {
             "lattice": "-6b4424 grain",
         },
         Usual(16.0, STONE, 0.2),
+        constructed=True,
     ),
     "temple": Noun(
         "greek temple, roman temple, ancient temple, parthenon; pantheon, acropolis, mausoleum, "
