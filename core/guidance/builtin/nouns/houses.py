@@ -218,9 +218,9 @@ HOUSES = {
         Usual(40.0, STONE, 0.12),
     ),
     "factory": Noun(
-        "factory building, industrial building, industrial plant; warehouse, power plant, power "
-        "station, mill building, workshop, sawmill, steel mill, refinery, nuclear plant, "
-        "factory hall, manufacturing plant, oil rig",
+        "factory building, industrial building, industrial plant; warehouse, power plant, "
+        "power station, mill building, workshop, sawmill, steel mill, refinery, nuclear "
+        "plant, factory hall, manufacturing plant",
         {
             "hall": "*a5482f . stone",
             "roof": "&6a7077 . metal",

@@ -85,7 +85,7 @@ LANDMARKS = {
         Usual(20.0, WOOD, 0.2),
     ),
     "pyramid": Noun(
-        "egyptian pyramid; step pyramid, mayan temple, aztec temple, ziggurat, pyramid of giza",
+        "egyptian pyramid; pyramid of giza",
         {
             "body": "*dcb978 bricks stone",
             "top": "&ecd296 . stone",
@@ -151,8 +151,8 @@ LANDMARKS = {
         Usual(3.0, STONE),
     ),
     "bridge": Noun(
-        "arch bridge, road bridge; footbridge, drawbridge, aqueduct, viaduct, pier, jetty, wharf, "
-        "boat dock, wooden dock, fishing dock, boardwalk",
+        "arch bridge, road bridge; footbridge, drawbridge, pier, jetty, wharf, boat dock, "
+        "wooden dock, fishing dock, boardwalk",
         {
             "body": "*a9a196 bricks stone",
             "walls": "&bdb5a8 . stone",
