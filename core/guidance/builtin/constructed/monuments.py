@@ -16,7 +16,6 @@ from core.guidance.builtin.constructed.shapes import (
     both_sides,
     box,
     capsule,
-    circle,
     moved,
     pipe,
     placed,

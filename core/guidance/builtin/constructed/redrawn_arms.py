@@ -15,8 +15,6 @@ from core.guidance.builtin.constructed.shapes import (
     both_sides,
     box,
     capsule,
-    closed_curve,
-    curve,
     pipe,
     placed,
     plate,

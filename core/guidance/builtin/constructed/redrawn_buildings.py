@@ -9,13 +9,11 @@ from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
-    SIDE,
     Parts,
     Place,
     ball,
     both_sides,
     box,
-    capsule,
     moved,
     placed,
     plate,

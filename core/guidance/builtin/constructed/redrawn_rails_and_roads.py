@@ -1,11 +1,10 @@
 """Trains, coaches, aircraft and a treehouse that the networks know and drew roughly."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.redrawn_vehicles import wheel
 from core.guidance.builtin.constructed.shapes import (
@@ -16,8 +15,6 @@ from core.guidance.builtin.constructed.shapes import (
     both_sides,
     box,
     capsule,
-    closed_curve,
-    curve,
     moved,
     pipe,
     placed,

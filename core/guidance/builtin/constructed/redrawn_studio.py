@@ -3,7 +3,6 @@
 from collections.abc import Callable
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
@@ -13,14 +12,12 @@ from core.guidance.builtin.constructed.shapes import (
     ball,
     both_sides,
     box,
-    capsule,
     circle,
     closed_curve,
     curve,
     pipe,
     placed,
     plate,
-    ring,
     rod,
     rounded,
     turned,

@@ -16,7 +16,6 @@ from core.guidance.builtin.constructed.shapes import (
     both_sides,
     box,
     capsule,
-    circle,
     closed_curve,
     curve,
     moved,
@@ -25,7 +24,6 @@ from core.guidance.builtin.constructed.shapes import (
     plate,
     ring,
     rod,
-    rounded,
     spun,
     turned,
 )

@@ -6,14 +6,14 @@ from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
 from core.guidance.builtin.constructed.cooking_and_bath import COOKING_AND_BATH
 from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.draw import Draw
-from core.guidance.builtin.constructed.engines_and_crafts import ENGINES_AND_CRAFTS
+from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
 from core.guidance.builtin.constructed.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
 from core.guidance.builtin.constructed.monuments import MONUMENTS
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
-from core.guidance.builtin.constructed.redrawn_rails_and_roads import REDRAWN_RAILS_AND_ROADS
 from core.guidance.builtin.constructed.redrawn_buildings import REDRAWN_BUILDINGS
+from core.guidance.builtin.constructed.redrawn_rails_and_roads import REDRAWN_RAILS_AND_ROADS
 from core.guidance.builtin.constructed.redrawn_studio import REDRAWN_STUDIO
 from core.guidance.builtin.constructed.redrawn_vehicles import REDRAWN_VEHICLES
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
@@ -38,7 +38,7 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **LABORATORY_AND_WORKSHOP,
     **STAGE_AND_STUDIO,
     **MONUMENTS,
-    **ENGINES_AND_CRAFTS,
+    **ENGINES_OF_WAR,
 }
 
 

@@ -21,7 +21,7 @@ from core.guidance.builtin.nouns.dinosaurs_and_mythical_beasts import DINOSAURS_
 from core.guidance.builtin.nouns.dishes_and_groceries import DISHES_AND_GROCERIES
 from core.guidance.builtin.nouns.doors_and_bathroom import DOORS_AND_BATHROOM
 from core.guidance.builtin.nouns.electric_machines import ELECTRIC_MACHINES
-from core.guidance.builtin.nouns.engines_and_crafts import ENGINES_AND_CRAFTS
+from core.guidance.builtin.nouns.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.nouns.fairy_tale_folk import FAIRY_TALE_FOLK
 from core.guidance.builtin.nouns.farm_animals_and_pets import FARM_ANIMALS_AND_PETS
 from core.guidance.builtin.nouns.figures import FIGURES
@@ -102,7 +102,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Laboratory and Workshop": LABORATORY_AND_WORKSHOP,
     "Stage and Studio": STAGE_AND_STUDIO,
     "Monuments": MONUMENTS,
-    "Engines and Crafts": ENGINES_AND_CRAFTS,
+    "Engines of War": ENGINES_OF_WAR,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 # The networks' rows; then what is another thing's solid, and what no network draws.

@@ -133,7 +133,7 @@ TRAINS_CYCLES_AND_CARTS = {
         Usual(1.4, STEEL, 0.02),
     ),
     "wagon": Noun(
-        "cart, covered wagon, horse cart; hand cart, handcart, chariot",
+        "cart, covered wagon, horse cart; hand cart, handcart",
         {
             "body": "*94602f grain",
             "wheels": "&6b4220 grain",

@@ -124,7 +124,7 @@ WEAPONS = {
         Usual(0.8, LEATHER, 0.2),
     ),
     "crossbow": Noun(
-        "crossbows, cross bow; arbalest, ballista",
+        "crossbows, cross bow; arbalest",
         {
             "stock": "*7a4a24 grain",
             "limbs": "+4a4d52 . metal",
@@ -137,7 +137,7 @@ WEAPONS = {
         constructed=True,
     ),
     "catapult": Noun(
-        "catapults, siege catapult; trebuchet, mangonel, onager, siege engine",
+        "catapults, siege catapult; mangonel, onager, siege engine",
         {
             "frame": "*8a5a2e grain",
             "wheels": "+5a3a20 grain",

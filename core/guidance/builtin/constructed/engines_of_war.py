@@ -1,0 +1,637 @@
+"""Engines of war and of justice."""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.redrawn_vehicles import wheel
+from core.guidance.builtin.constructed.shapes import (
+    FRONT,
+    SIDE,
+    Parts,
+    ball,
+    both_sides,
+    box,
+    circle,
+    moved,
+    pipe,
+    placed,
+    plate,
+    ring,
+    rod,
+    spun,
+    turned,
+)
+
+
+def _trebuchet(draw: Draw) -> Parts:
+    frame = both_sides(
+        [
+            box((0.1, 2.0, 0.1), (0.42, 0, 0.2), 0.01),
+            *(rod((0.42, y, 0.2), (0.34, 0.0, 1.4), 0.05) for y in (-0.75, 0.75)),
+            rod((0.42, 0, 0.2), (0.35, 0, 1.4), 0.045),
+            box((0.08, 0.9, 0.08), (0.385, 0, 0.7), 0.01),
+        ]
+    )
+    frame += [box((0.94, 0.1, 0.1), (0, y, 0.2), 0.01) for y in (-0.9, -0.3, 0.3, 0.9)]
+    frame += both_sides([rod((0.42, s * 0.3, 0.22), (0.36, 0, 0.95), 0.03) for s in (-1, 1)])
+    tilt = Rotation.from_euler("x", draw(24.0, 36.0), degrees=True).as_matrix()
+    pivot = np.array([0, 0, 1.42])
+    arm = placed(
+        [rod((0, -0.55, 0), (0, 1.55, 0), 0.075, 0.038), box((0.16, 0.24, 0.16), (0, 0, 0), 0.02)],
+        tilt,
+        pivot,
+    )
+    end = tilt @ (0, -0.52, 0) + pivot
+    tip = tilt @ (0, 1.54, 0) + pivot
+    weight = [
+        box((0.5, 0.5, 0.46), (0, end[1], end[2] - 0.5), 0.02),
+        *both_sides([box((0.05, 0.06, 0.4), (0.12, end[1], end[2] - 0.15), 0.006)]),
+    ]
+    iron = [box((0.53, 0.53, 0.05), (0, end[1], end[2] + z), 0.006) for z in (-0.66, -0.34)]
+    iron += [
+        rod((-0.52, 0, 1.42), (0.52, 0, 1.42), 0.05),
+        rod((-0.2, *end[1:]), (0.2, *end[1:]), 0.035),
+    ]
+    iron += placed(
+        [
+            rod((0, y - 0.03, 0), (0, y + 0.03, 0), 0.075 - 0.022 * y, rim=0.006)
+            for y in (0.5, 0.9, 1.25)
+        ],
+        tilt,
+        pivot,
+    )
+    low = (0, tip[1] - 0.28, 0.62)
+    sling = [
+        rod(tuple(tip), low, 0.014),
+        rod((0.05, *tip[1:]), (0.02, low[1], low[2]), 0.014),
+        ball((0.1, 0.13, 0.07), (0, low[1], low[2] - 0.02)),
+    ]
+    stone = [ball(0.105, (0, low[1], low[2] + 0.03))]
+    wheels = both_sides(
+        [rod((0.47, y, 0.15), (0.58, y, 0.15), 0.16, rim=0.012) for y in (-0.72, 0.72)]
+    )
+    hubs = both_sides(
+        [rod((0.4, y, 0.15), (0.62, y, 0.15), 0.045, rim=0.01) for y in (-0.72, 0.72)]
+    )
+    winch = [
+        rod((-0.46, 0.62, 0.42), (0.46, 0.62, 0.42), 0.055),
+        *both_sides(
+            [
+                rod((0.5, 0.62 - a, 0.42 - b), (0.5, 0.62 + a, 0.42 + b), 0.018)
+                for a, b in ((0.18, 0.0), (0.0, 0.18))
+            ]
+        ),
+        *both_sides(
+            [
+                box((0.05, 0.14, 0.3), (0.4, 0.62, 0.32), 0.01),
+                rod((0.44, 0.62, 0.42), (0.53, 0.62, 0.42), 0.04),
+            ]
+        ),
+    ]
+    winch += [rod((0, 0.62, 0.46), tuple(tilt @ (0, 0.9, 0) + pivot), 0.013)]
+    return {
+        "frame": [*frame, *winch],
+        "arm": arm,
+        "counterweight": weight,
+        "wheels": wheels,
+        "iron": [*iron, *hubs],
+        "sling": sling,
+        "stone": stone,
+    }
+
+
+def _ballista(draw: Draw) -> Parts:
+    tilt = Rotation.from_euler("x", -draw(8.0, 16.0), degrees=True).as_matrix()
+    at = (0, 0, 0.72)
+    stock = [
+        box((0.14, 1.5, 0.1), (0, 0.1, 0), 0.012),
+        *both_sides([box((0.04, 1.4, 0.05), (0.05, 0.05, 0.06), 0.006)]),
+    ]
+    stock += both_sides(
+        [
+            box((0.1, 0.14, 0.5), (0.26, -0.5, 0.06), 0.012),
+            box((0.1, 0.14, 0.5), (0.1, -0.5, 0.06), 0.012),
+        ]
+    )
+    stock += [box((0.66, 0.17, 0.08), (0, -0.5, z), 0.012) for z in (-0.17, 0.3)]
+    ropes = both_sides(
+        [
+            rod((0.18, -0.5, -0.2), (0.18, -0.5, 0.33), 0.062, rim=0.01),
+            *(ring(0.06, 0.016, (0.18, -0.5, z)) for z in (-0.06, 0.02, 0.1, 0.18)),
+        ]
+    )
+    limbs = both_sides(
+        [rod((0.16, -0.5, 0.06), (0.86, -0.2, 0.06), 0.045, 0.03), ball(0.04, (0.86, -0.2, 0.06))]
+    )
+    nock = (0, 0.42, 0.1)
+    string = both_sides([rod((0.85, -0.2, 0.06), nock, 0.014)])
+    bolt = [
+        rod((0, 0.42, 0.11), (0, -0.86, 0.11), 0.026),
+        box((0.13, 0.16, 0.014), (0, 0.32, 0.11)),
+        box((0.014, 0.16, 0.13), (0, 0.32, 0.12)),
+    ]
+    tip = [
+        rod((0, -0.82, 0.11), (0, -1.06, 0.11), 0.062, 0.004),
+        rod((0, -0.78, 0.11), (0, -0.84, 0.11), 0.036),
+    ]
+    winch = [
+        rod((-0.24, 0.76, 0.02), (0.24, 0.76, 0.02), 0.045),
+        *both_sides(
+            [
+                rod((0.22, 0.76 - a, 0.02 - b), (0.22, 0.76 + a, 0.02 + b), 0.018)
+                for a, b in ((0.15, 0.0), (0.0, 0.15))
+            ]
+        ),
+        rod((0, 0.72, 0.04), nock, 0.013),
+        box((0.08, 0.1, 0.07), (0, 0.44, 0.09), 0.012),
+    ]
+    base = [
+        rod((0, 0, 0.1), (0, 0, 0.72), 0.07),
+        *both_sides([rod((0.5, y, 0.05), (0.0, 0.0, 0.5), 0.045) for y in (-0.5, 0.5)]),
+        *(box((1.1, 0.11, 0.1), (0, y, 0.06), 0.012) for y in (-0.5, 0.5)),
+        box((0.11, 1.1, 0.1), (0, 0, 0.06), 0.012),
+        box((0.2, 0.24, 0.14), (0, 0, 0.66), 0.02),
+    ]
+    return {
+        "frame": [*base, *placed(stock, tilt, at)],
+        "limbs": placed(limbs, tilt, at),
+        "ropes": placed([*ropes, *string], tilt, at),
+        "bolt": placed(bolt, tilt, at),
+        "iron": placed([*tip, *winch], tilt, at),
+    }
+
+
+def _siege_tower(draw: Draw) -> Parts:
+    floors = 3
+    wood, hides, iron, ramp = [], [], [], []
+    for k in range(floors):
+        z, w = 0.3 + 0.5 * k, 0.46 - 0.05 * k
+        wood += [
+            box((0.07, 0.07, 0.54), (s * w, t * w, z + 0.25), 0.008)
+            for s in (-1, 1)
+            for t in (-1, 1)
+        ]
+        wood += [box((2 * w + 0.12, 2 * w + 0.12, 0.05), (0, 0, z), 0.008)]
+        for j in range(4):
+            way = Rotation.from_euler("z", 90 * j, degrees=True).as_matrix()
+            count = 6
+            planks = [
+                box(
+                    (2 * w / count - 0.008, 0.035, 0.5),
+                    (-w + 2 * w * (m + 0.5) / count, -w, z + 0.25),
+                    0.006,
+                )
+                for m in range(count)
+                if not (k == floors - 1 and j == 0 and 1 <= m <= 4)
+            ]
+            if j == 1:
+                planks = [
+                    rod(
+                        (-w, -w, z + 0.05 + 0.45 * (m % 2)),
+                        (w, -w, z + 0.5 - 0.45 * (m % 2)),
+                        0.026,
+                    )
+                    for m in range(2)
+                ]
+            wood += placed(planks, way)
+            if j != 1 and k < floors - 1:
+                hides += placed(
+                    [
+                        box(
+                            (0.17, 0.05, 0.2 + 0.04 * (m % 2)),
+                            (x, -w - 0.012, z + 0.3 - 0.03 * (m % 2)),
+                            0.02,
+                        )
+                        for m, x in enumerate((-0.26, 0.0, 0.26))
+                    ],
+                    way,
+                )
+    top, w = 0.3 + 0.5 * floors, 0.46 - 0.05 * (floors - 1)
+    wood += [box((2 * w + 0.16, 2 * w + 0.16, 0.06), (0, 0, top), 0.008)]
+    for j in range(4):
+        wood += placed(
+            [
+                box((0.13, 0.06, 0.2), (x, -w - 0.04, top + 0.1), 0.008)
+                for x in (-0.3, -0.1, 0.1, 0.3)
+            ],
+            Rotation.from_euler("z", 90 * j, degrees=True).as_matrix(),
+        )
+    lean = Rotation.from_euler("x", draw(-30.0, -18.0), degrees=True).as_matrix()
+    ramp += placed(
+        [box((0.13, 0.62, 0.04), (x, -0.3, 0), 0.006) for x in (-0.21, -0.07, 0.07, 0.21)]
+        + [box((0.56, 0.06, 0.06), (0, y, 0.0), 0.008) for y in (-0.12, -0.5)],
+        lean,
+        (0, -w, top - 0.46),
+    )
+    hook = lean @ (0.2, -0.5, 0.02) + np.array([0, -w, top - 0.46])
+    iron += both_sides([rod(tuple(hook), (0.24, -w, top - 0.04), 0.013)])
+    wheels = both_sides([rod((0.5, y, 0.2), (0.6, y, 0.2), 0.2, rim=0.014) for y in (-0.32, 0.32)])
+    iron += both_sides(
+        [
+            turned(
+                [(0.19, -0.04), (0.215, -0.04), (0.215, 0.04), (0.19, 0.04)], (0.55, y, 0.2), "x"
+            )
+            for y in (-0.32, 0.32)
+        ]
+    )
+    iron += [rod((-0.64, y, 0.2), (0.64, y, 0.2), 0.045) for y in (-0.32, 0.32)]
+    wood += [box((0.9, 0.12, 0.16), (0, y, 0.24), 0.01) for y in (-0.32, 0.32)]
+    ladder = [rod((0.5 - 0.02, s * 0.1, 0.1), (0.36, s * 0.1, top), 0.02) for s in (-1, 1)]
+    ladder += [
+        rod(
+            (0.48 - 0.12 * f, -0.1, 0.1 + f * (top - 0.1)),
+            (0.48 - 0.12 * f, 0.1, 0.1 + f * (top - 0.1)),
+            0.015,
+        )
+        for f in np.linspace(0.06, 0.95, 12)
+    ]
+    ladder += [box((0.1, 0.3, 0.05), (0.46, 0, 0.3), 0.01)]
+    flag = [rod((0, 0.3, top), (0, 0.3, top + 0.62), 0.018), ball(0.026, (0, 0.3, top + 0.62))]
+    banner = [
+        plate(
+            [(0, 0), (0.34, -0.02), (0.26, -0.11), (0.34, -0.2), (0, -0.22)],
+            0.022,
+            (0.0, 0.3, top + 0.6),
+            FRONT,
+        )
+    ]
+    return {
+        "timber": [*wood, *ladder, *flag],
+        "ramp": ramp,
+        "hides": hides,
+        "wheels": wheels,
+        "iron": iron,
+        "banner": banner,
+    }
+
+
+def _battering_ram(draw: Draw) -> Parts:
+    long = draw(1.0, 1.15)
+    frame = both_sides(
+        [
+            box((0.1, 1.5, 0.1), (0.4, 0, 0.3), 0.01),
+            *(rod((0.4, y, 0.3), (0.03, y, 1.2), 0.045) for y in (-0.6, 0.0, 0.6)),
+        ]
+    )
+    frame += [box((0.9, 0.1, 0.1), (0, y, 0.3), 0.01) for y in (-0.66, 0.66)] + [
+        rod((0, -0.8, 1.18), (0, 0.8, 1.18), 0.045)
+    ]
+    roof = []
+    for s in (-1, 1):
+        way = Rotation.from_euler("y", s * 68, degrees=True).as_matrix()
+        roof += placed(
+            [
+                box((0.16, 1.66, 0.03), (s * (0.1 + 0.13 * k), 0, 0.012 * (3 - k)), 0.006)
+                for k in range(4)
+            ],
+            way,
+            (0, 0, 1.24),
+        )
+    trunk = [rod((0, -long, 0.66), (0, 0.85, 0.66), 0.12, 0.1, 0.01)]
+    head = [
+        rod((0, -long + 0.02, 0.66), (0, -long - 0.12, 0.66), 0.15, 0.14, 0.02),
+        ball((0.13, 0.16, 0.13), (0, -long - 0.12, 0.66)),
+    ]
+    for s in (-1, 1):
+        curl = [
+            (s * 0.1, -long - 0.06, 0.74),
+            (s * 0.2, -long - 0.02, 0.78),
+            (s * 0.25, -long + 0.04, 0.68),
+            (s * 0.22, -long - 0.05, 0.58),
+            (s * 0.16, -long - 0.13, 0.6),
+        ]
+        head.append(pipe(curl, (0.05, 0.05, 0.045, 0.035, 0.022)))
+    head += [
+        rod((0, y - 0.035, 0.66), (0, y + 0.035, 0.66), 0.128, rim=0.006) for y in (-0.6, 0.0, 0.6)
+    ]
+    chains = [rod((s * 0.1, y, 0.7), (0, y, 1.18), 0.016) for y in (-0.55, 0.55) for s in (-1, 1)]
+    wheels = both_sides(
+        [
+            *moved(wheel(0.24, 0.08, 8, 0.2), (0.52, -0.5, 0.24)),
+            *moved(wheel(0.24, 0.08, 8, 0.2), (0.52, 0.5, 0.24)),
+        ]
+    )
+    axles = [rod((-0.5, y, 0.24), (0.5, y, 0.24), 0.04) for y in (-0.5, 0.5)]
+    return {
+        "frame": [*frame, *axles],
+        "roof": roof,
+        "ram": trunk,
+        "head": head,
+        "chains": chains,
+        "wheels": wheels,
+    }
+
+
+def _chariot(draw: Draw) -> Parts:
+    turn = np.radians(np.linspace(-200, 20, 25))
+    outer = [(0.42 * np.cos(a), 0.36 * np.sin(a)) for a in turn]
+    inner = [(0.375 * np.cos(a), 0.315 * np.sin(a)) for a in turn[::-1]]
+    body, gold = [], []
+    for k in range(7):
+        sweep = 3 * k
+        a = np.array(
+            [
+                *outer[sweep // 2 : len(outer) - sweep // 2],
+                *inner[sweep // 2 : len(inner) - sweep // 2],
+            ]
+        )
+        body.append(plate(a, 0.09, (0, 0, 0.5 + 0.08 * k)))
+    rim = [
+        (0.4 * np.cos(a), 0.34 * np.sin(a), 1.06 - 0.46 * (abs(a + np.pi / 2) / 1.92) ** 1.4)
+        for a in turn
+    ]
+    gold.append(pipe(rim[::3], 0.03))
+    gold += [
+        ball((0.06, 0.03, 0.06), (0, -0.375, 0.78)),
+        *(
+            rod((0, -0.37, 0.78), (0.17 * np.cos(a), -0.36, 0.78 + 0.17 * np.sin(a)), 0.018, 0.006)
+            for a in np.arange(8) * np.pi / 4
+        ),
+    ]
+    floor = [box((0.8, 0.62, 0.06), (0, 0.02, 0.46), 0.02)]
+    wheels = both_sides(moved(wheel(0.42, 0.07, draw.which(2) * 2 + 8, 0.1), (0.56, 0.12, 0.42)))
+    gold += both_sides([rod((0.56, 0.12, 0.42), (0.66, 0.12, 0.42), 0.05, 0.03, 0.01)])
+    pole = [
+        pipe(
+            [(0, -0.2, 0.44), (0, -0.7, 0.42), (0, -1.2, 0.6), (0, -1.5, 0.78)],
+            (0.045, 0.042, 0.036, 0.03),
+        ),
+        rod((-0.6, 0.12, 0.42), (0.6, 0.12, 0.42), 0.04),
+    ]
+    pole += [
+        pipe(
+            [
+                (-0.5, -1.42, 0.66),
+                (-0.3, -1.44, 0.8),
+                (0, -1.45, 0.74),
+                (0.3, -1.44, 0.8),
+                (0.5, -1.42, 0.66),
+            ],
+            0.03,
+        )
+    ]
+    gold += [ball(0.045, (0, -1.5, 0.8)), *both_sides([ball(0.04, (0.5, -1.42, 0.65))])]
+    return {"body": [*body, *floor], "trim": gold, "wheels": wheels, "pole": pole}
+
+
+def _guillotine(draw: Draw) -> Parts:
+    up = draw(1.25, 1.6)
+    frame = both_sides(
+        [
+            box((0.1, 0.14, 1.9), (0.26, 0, 1.0), 0.008),
+            rod((0.26, 0.5, 0.16), (0.26, 0.05, 1.0), 0.035),
+            box((0.1, 1.3, 0.1), (0.26, 0.28, 0.16), 0.01),
+        ]
+    )
+    frame += [
+        box((0.72, 0.16, 0.14), (0, 0, 1.96), 0.012),
+        box((0.62, 0.12, 0.1), (0, -0.3, 0.16), 0.01),
+        box((0.62, 0.12, 0.1), (0, 0.86, 0.16), 0.01),
+    ]
+    lunette = [
+        plate(
+            [(-0.22, 0), (0.22, 0), (0.22, 0.36), (-0.22, 0.36)],
+            0.06,
+            (0, -0.02, 0.42),
+            FRONT,
+            [circle(0.085, (0, 0.18))],
+        )
+    ]
+    bench = [
+        box((0.36, 1.0, 0.06), (0, 0.5, 0.5), 0.012),
+        *both_sides([box((0.06, 0.06, 0.4), (0.12, y, 0.3), 0.006) for y in (0.14, 0.9)]),
+        box((0.46, 0.08, 0.3), (0, 0.02, 0.3), 0.006),
+    ]
+    blade = [
+        plate(
+            [(-0.2, up + 0.16), (0.2, up + 0.16), (0.2, up - 0.1), (-0.2, up + 0.1 - 0.06)],
+            0.035,
+            (0, 0, 0),
+            FRONT,
+        )
+    ]
+    weight = [box((0.46, 0.1, 0.13), (0, 0, up + 0.18), 0.012)]
+    rope = [
+        rod((0, 0, up + 0.2), (0, 0, 1.96), 0.012),
+        rod((0.34, 0.0, 1.98), (0.36, 0.02, 0.7), 0.012),
+        rod((0, 0, 2.02), (0.345, 0, 2.02), 0.012),
+        ball(0.04, (0.36, 0.02, 0.7)),
+        rod((0.3, 0, 0.72), (0.37, 0.02, 0.72), 0.02),
+    ]
+    iron = [rod((-0.05, 0, 2.02), (0.05, 0, 2.02), 0.05), box((0.48, 0.02, 0.02), (0, -0.06, 0.42))]
+    basket = [
+        turned(
+            [(0, 0.1), (0.17, 0.1), (0.22, 0.36), (0.19, 0.36), (0.15, 0.14), (0, 0.14)],
+            (0, -0.34, 0.0),
+        ),
+        *(ring(0.175 + 0.015 * k, 0.016, (0, -0.34, 0.13 + 0.07 * k)) for k in range(4)),
+    ]
+    base = [box((0.9, 1.7, 0.12), (0, 0.24, 0.06), 0.012)]
+    return {
+        "frame": [*frame, *lunette, *bench],
+        "blade": blade,
+        "weight": [*weight, *iron],
+        "rope": rope,
+        "basket": basket,
+        "platform": base,
+    }
+
+
+def _gallows(draw: Draw) -> Parts:
+    high = draw(1.75, 1.95)
+    wood = [
+        box((0.13, 0.13, high), (-0.42, 0.1, high / 2 + 0.4), 0.012),
+        box((1.1, 0.12, 0.12), (0.06, 0.1, high + 0.38), 0.012),
+        rod((-0.42, 0.1, high - 0.1), (0.0, 0.1, high + 0.36), 0.045),
+        *(rod((-0.42, 0.1 + s * 0.34, 0.52), (-0.42, 0.1, 0.95), 0.04) for s in (-1, 1)),
+    ]
+    deck = [box((0.16, 1.1, 0.06), (-0.6 + 0.17 * k, 0.06, 0.46), 0.008) for k in range(8)]
+    deck += [
+        box((0.1, 0.1, 0.46), (x, y, 0.23), 0.01) for x in (-0.6, 0.54) for y in (-0.4, 0.52)
+    ] + [box((1.36, 0.07, 0.09), (0, y, 0.4), 0.008) for y in (-0.42, 0.54)]
+    deck += [rod((-0.6, y, 0.06), (0.54, y, 0.38), 0.025) for y in (-0.42, 0.54)]
+    steps = [
+        box((0.42, 0.16, 0.05), (0.3, -0.56 - 0.14 * k, 0.38 - 0.09 * k), 0.006) for k in range(4)
+    ] + [
+        plate([(-0.48, 0.44), (-0.48, 0.36), (-1.04, 0.0), (-1.12, 0.0)], 0.05, (x, 0, 0), SIDE)
+        for x in (0.1, 0.5)
+    ]
+    x = 0.42
+    rope = [
+        rod((x, 0.1, high + 0.36), (x, 0.1, high - 0.42), 0.022),
+        rod((x, 0.1, high - 0.28), (x, 0.1, high - 0.42), 0.045, rim=0.01),
+        *(ring(0.038, 0.014, (x, 0.1, high - 0.29 - 0.03 * k)) for k in range(5)),
+        pipe(
+            [
+                (x, 0.1, high - 0.42),
+                (x - 0.12, 0.1, high - 0.54),
+                (x - 0.11, 0.1, high - 0.7),
+                (x, 0.1, high - 0.77),
+                (x + 0.11, 0.1, high - 0.7),
+                (x + 0.12, 0.1, high - 0.54),
+            ],
+            0.022,
+            closed=True,
+        ),
+        ring(0.085, 0.024, (x, 0.1, high + 0.38), "x"),
+    ]
+    return {"posts": wood, "deck": deck, "steps": steps, "rope": rope}
+
+
+def _stocks(draw: Draw) -> Parts:
+    high = draw(1.2, 1.4)
+    holes = [circle(0.085), circle(0.05) + (0.27, 0), circle(0.05) - (0.27, 0)]
+    wide, half = 0.5, 0.14
+
+    boards = [
+        plate(
+            [(-wide, -half), (wide, -half), (wide, half), (-wide, half)],
+            0.08,
+            (0, 0, 1.0),
+            FRONT,
+            holes,
+        )
+    ]
+    posts = both_sides(
+        [
+            box((0.12, 0.14, high), (0.5, 0, high / 2 + 0.05), 0.012),
+            ball((0.075, 0.075, 0.05), (0.5, 0, high + 0.06)),
+            rod((0.5, -0.36, 0.1), (0.5, -0.03, 0.6), 0.035),
+            rod((0.5, 0.36, 0.1), (0.5, 0.03, 0.6), 0.035),
+            box((0.13, 0.86, 0.1), (0.5, 0, 0.07), 0.012),
+        ]
+    )
+    posts += [box((1.0, 0.1, 0.1), (0, 0, 0.42), 0.01)]
+    iron = both_sides(
+        [
+            box((0.05, 0.1, 0.24), (0.41, 0, 1.0), 0.006),
+            *(ball(0.018, (0.41, -0.05, 1.0 + z)) for z in (-0.08, 0.08)),
+            ring(0.062, 0.015, (0.27, -0.04, 1.0), "y"),
+        ]
+    )
+    iron += [
+        box((0.09, 0.05, 0.1), (0.48, -0.09, 1.0), 0.012),
+        pipe(
+            [(0.455, -0.09, 1.04), (0.46, -0.09, 1.1), (0.5, -0.09, 1.1), (0.505, -0.09, 1.04)],
+            0.014,
+        ),
+        ring(0.1, 0.015, (0, -0.04, 1.0), "y"),
+        box((2 * wide - 0.2, 0.09, 0.012), (0, 0, 1.0 + half)),
+    ]
+    base = [box((0.9, 0.7, 0.07), (0, -0.1, 0.05), 0.012)]
+    return {"boards": boards, "posts": [*posts, *base], "iron": iron}
+
+
+def _gatling_gun(draw: Draw) -> Parts:
+    count = 6 + 2 * draw.which(2)
+    z = 0.66
+    barrels = moved(spun([rod((0, -0.95, 0.085), (0, -0.12, 0.085), 0.03)], count, "y"), (0, 0, z))
+    brass = [
+        rod((0, -0.2, z), (0, 0.28, z), 0.16, rim=0.02),
+        rod((0, 0.26, z), (0, 0.4, z), 0.12, 0.08, 0.02),
+        *(rod((0, y - 0.03, z), (0, y + 0.03, z), 0.135, rim=0.008) for y in (-0.9, -0.55)),
+        ball(0.05, (0, 0.43, z)),
+    ]
+    brass += [box((0.09, 0.16, 0.36), (0, 0.0, z + 0.3), 0.012)]
+    iron = [
+        rod((0.12, 0.14, z), (0.26, 0.14, z), 0.03),
+        rod((0.24, 0.14, z + 0.02), (0.24, 0.14, z - 0.18), 0.022),
+        rod((0.22, 0.14, z - 0.17), (0.34, 0.14, z - 0.17), 0.026),
+        rod((-0.26, -0.02, z - 0.02), (0.26, -0.02, z - 0.02), 0.045),
+    ]
+    carriage = both_sides(
+        [
+            plate(
+                [
+                    (-0.22, 0.42),
+                    (-0.14, 0.68),
+                    (0.1, 0.68),
+                    (0.3, 0.5),
+                    (1.12, 0.08),
+                    (1.12, 0.0),
+                    (0.98, 0.0),
+                    (0.2, 0.34),
+                ],
+                0.07,
+                (0.19, 0, 0),
+                SIDE,
+            )
+        ]
+    )
+    carriage += [box((0.36, 0.08, 0.1), (0, y, h), 0.01) for y, h in ((0.5, 0.28), (1.0, 0.06))] + [
+        box((0.44, 0.12, 0.1), (0, -0.08, 0.44), 0.01),
+        rod((-0.5, 0, 0.43), (0.5, 0, 0.43), 0.045),
+    ]
+    wheels = both_sides(moved(wheel(0.42, 0.075, 12, 0.11), (0.46, 0, 0.43)))
+    return {"barrels": [*barrels, *iron], "casing": brass, "carriage": carriage, "wheels": wheels}
+
+
+def _gun_turret(draw: Draw) -> Parts:
+    tilt = Rotation.from_euler("x", -draw(4.0, 16.0), degrees=True).as_matrix()
+    base = [
+        rod((0, 0, 0), (0, 0, 0.12), 0.62, 0.58, 0.015),
+        rod((0, 0, 0.1), (0, 0, 0.3), 0.46, 0.38, 0.015),
+    ]
+    bolts = spun([rod((0, -0.53, 0.1), (0, -0.53, 0.15), 0.04, rim=0.008)], 12)
+    plan = np.array(
+        [
+            (-0.26, -0.46),
+            (0.26, -0.46),
+            (0.44, -0.2),
+            (0.44, 0.3),
+            (0.3, 0.48),
+            (-0.3, 0.48),
+            (-0.44, 0.3),
+            (-0.44, -0.2),
+        ]
+    )
+    armour = [
+        plate(plan * g, 0.09, (0, 0, h))
+        for g, h in ((1.0, 0.36), (1.0, 0.44), (0.94, 0.52), (0.84, 0.6))
+    ]
+    armour += both_sides(
+        [
+            box((0.1, 0.4, 0.26), (0.46, 0.04, 0.46), 0.03),
+            rod((0.24, 0.26, 0.62), (0.24, 0.26, 0.68), 0.1, rim=0.01),
+        ]
+    )
+    guns = [box((0.46, 0.16, 0.22), (0, -0.42, 0.47), 0.03)]
+    tubes = []
+    for x in (-0.13, 0.13):
+        tubes += [
+            rod((x, -0.1, 0), (x, -0.72, 0), 0.062),
+            rod((x, -0.62, 0), (x, -0.82, 0), 0.075, rim=0.01),
+            rod((x, -0.5, 0), (x, -1.2, 0), 0.04),
+        ]
+        tubes += placed(
+            [turned([(0, 0), (0.06, 0), (0.06, 0.14), (0.03, 0.14), (0.03, 0.05), (0, 0.05)])],
+            np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]),
+            (x, -1.16, 0),
+        )
+    guns += placed(tubes, tilt, (0, -0.36, 0.47))
+    lamp = [
+        ball((0.07, 0.04, 0.07), (0, -0.38, 0.62)),
+        *both_sides([box((0.02, 0.2, 0.05), (0.512, 0.04, 0.48))]),
+    ]
+    sight = [
+        box((0.14, 0.22, 0.12), (0, -0.28, 0.66), 0.02),
+        rod((-0.3, 0.3, 0.6), (-0.3, 0.34, 1.1), 0.016),
+    ]
+    return {"armour": [*armour, *sight], "guns": guns, "base": base, "bolts": bolts, "lamps": lamp}
+
+
+ENGINES_OF_WAR: dict[str, Callable[[Draw], Parts]] = {
+    "trebuchet": _trebuchet,
+    "ballista": _ballista,
+    "siege tower": _siege_tower,
+    "battering ram": _battering_ram,
+    "chariot": _chariot,
+    "guillotine": _guillotine,
+    "gallows": _gallows,
+    "stocks": _stocks,
+    "gatling gun": _gatling_gun,
+    "gun turret": _gun_turret,
+}
