@@ -1,8 +1,562 @@
-"""Things of the garden, of smoking, pets and leisure."""
+"""Things of the garden, the playground and the fairground."""
 
 from collections.abc import Callable
 
-from core.guidance.builtin.constructed.draw import Draw
-from core.guidance.builtin.constructed.shapes import Parts
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation
 
-GARDEN_AND_LEISURE: dict[str, Callable[[Draw], Parts]] = {}
+from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.shapes import (
+    FRONT,
+    SIDE,
+    Parts,
+    ball,
+    both_sides,
+    box,
+    capsule,
+    closed_curve,
+    pipe,
+    placed,
+    plate,
+    ring,
+    rod,
+    spun,
+    turned,
+)
+
+
+def _roller_coaster(draw: Draw) -> Parts:
+    rise = draw(0.95, 1.15)
+    way = [
+        (-0.9, -0.55, 0.25),
+        (-1.25, 0.0, 0.3),
+        (-1.0, 0.5, 0.55),
+        (-0.4, 0.62, rise),
+        (0.2, 0.6, 0.95 * rise),
+    ]
+    way += [
+        (0.7, 0.55, 0.3),
+        (1.15, 0.3, 0.35),
+        (1.2, -0.2, 0.62),
+        (0.85, -0.5, 0.4),
+        (0.5, -0.55, 0.22),
+    ]
+    loop = [
+        (0.12 - 0.34 * np.sin(a), -0.55 + 0.06 * a / np.pi, 0.56 - 0.36 * np.cos(a))
+        for a in np.linspace(0.25, 2 * np.pi - 0.25, 9)
+    ]
+    way += [*loop, (-0.35, -0.46, 0.22)]
+    points = np.array([*way, way[0]])
+    steps = np.cumsum([0, *np.linalg.norm(np.diff(points, axis=0), axis=1)])
+    curve = CubicSpline(steps, points, bc_type="periodic")
+    t = np.linspace(0, steps[-1], 131)[:-1]
+    at, along = curve(t), curve(t, 1)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    up = np.tile([0.0, 0.0, 1.0], (len(t), 1))
+    first, last = steps[10], steps[18]
+    turn = (t > first - 0.02) & (t < last + 0.02)
+    center = np.array([0.12, -0.52, 0.56])
+    up[turn] = center - at[turn]
+    across = np.cross(along, up)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    rails = [pipe(at + s * 0.055 * across, 0.02, closed=True) for s in (-1, 1)]
+    spine = pipe(at - 0.06 * np.cross(across, along), 0.028, closed=True)
+    ties = [
+        rod(tuple(at[k] - 0.07 * across[k]), tuple(at[k] + 0.07 * across[k]), 0.014)
+        for k in range(0, len(t), 2)
+    ]
+    ties += [
+        rod(tuple(at[k]), tuple(at[k] - 0.065 * np.cross(across[k], along[k])), 0.014)
+        for k in range(0, len(t), 2)
+    ]
+    legs = []
+    for k in range(0, len(t), 6):
+        if turn[k]:
+            continue
+        foot = at[k] - (0, 0, 0.06)
+        legs.append(rod(tuple(foot), (*foot[:2], 0.0), 0.022))
+        if foot[2] > 0.45:
+            side = across[k] * (1, 1, 0)
+            legs += [
+                rod(tuple(foot), (*(foot + s * 0.42 * foot[2] * side)[:2], 0.0), 0.018)
+                for s in (-1, 1)
+            ]
+    legs += [
+        rod((0.12, y, 0.02), (0.12, -0.52 + 0.3 * (y + 0.52), 0.96), 0.024) for y in (-0.78, -0.26)
+    ]
+    legs += [rod((0.12, -0.62, 0.94), (0.12, -0.42, 0.94), 0.024)]
+    cars, seats, wheels = [], [], []
+    for j, k in enumerate((35, 39, 43)):
+        frame = np.stack([across[k], along[k], np.cross(across[k], along[k])], 1)
+        shell = [
+            (-0.13, 0.03),
+            (0.12, 0.03),
+            (0.17, 0.08),
+            (0.16, 0.2),
+            (0.08, 0.16),
+            (-0.08, 0.15),
+            (-0.13, 0.22),
+        ]
+        own = [plate(shell, 0.19, (0, 0, 0), SIDE)]
+        if j == 2:
+            own.append(ball((0.09, 0.1, 0.06), (0, 0.16, 0.1)))
+        cars += placed(own, frame, at[k])
+        seats += placed(
+            [
+                box((0.15, 0.06, 0.2), (0, -0.08, 0.17), 0.02),
+                box((0.15, 0.12, 0.03), (0, 0.0, 0.165), 0.01),
+            ],
+            frame,
+            at[k],
+        )
+        wheels += placed(
+            both_sides(
+                [rod((0.035, y, 0.01), (0.085, y, 0.01), 0.04, rim=0.006) for y in (-0.09, 0.1)]
+            ),
+            frame,
+            at[k],
+        )
+    base = [box((3.0, 1.7, 0.06), (0, 0, -0.02), 0.02)]
+    return {
+        "rails": [*rails, spine],
+        "ties": [*ties, *wheels],
+        "supports": legs,
+        "cars": cars,
+        "seats": seats,
+        "ground": base,
+    }
+
+
+def _playground(draw: Draw) -> Parts:
+    posts, deck, roof, slide, climb, seats = [], [], [], [], [], []
+    for x in (-0.28, 0.28):
+        for y in (-0.28, 0.28):
+            posts.append(rod((x, y, 0), (x, y, 1.3), 0.035))
+    deck += [box((0.62, 0.62, 0.05), (0, 0, 0.6), 0.008)]
+    deck += [box((0.56, 0.03, 0.07), (0, 0.28, z), 0.008) for z in (0.74, 0.86)]
+    deck += [box((0.05, 0.03, 0.28), (x, 0.28, 0.74), 0.008) for x in (-0.18, -0.06, 0.06, 0.18)]
+    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+    roof += [
+        plate(square * (0.42 - 0.055 * k), 0.06, (0, 0, 1.29 + 0.05 * k)) for k in range(7)
+    ] + [ball(0.05, (0, 0, 1.64))]
+    chute = [(-0.26, 0.62), (-0.4, 0.6), (-0.9, 0.16), (-1.05, 0.1), (-1.2, 0.1)]
+    line = np.array(chute)
+    slide += [plate([*line, *(line - (0, 0.035))[::-1]], 0.32, (0, 0, 0), SIDE)]
+    slide += both_sides(
+        [
+            plate([*(line + (0, 0.11)), *(line - (0, 0.045))[::-1]], 0.035, (0.165, 0, 0), SIDE),
+            rod((0.13, -1.1, 0.0), (0.13, -1.1, 0.1), 0.025),
+        ]
+    )
+    climb += [rod((0.28, y, z), (0.75, y, z - 0.58), 0.022) for y, z in ((-0.2, 0.6), (0.2, 0.6))]
+    climb += [
+        rod((0.28 + 0.47 * f, -0.2, 0.6 - 0.58 * f), (0.28 + 0.47 * f, 0.2, 0.6 - 0.58 * f), 0.02)
+        for f in np.linspace(0.14, 0.9, 5)
+    ]
+    end = draw(1.6, 1.8)
+    posts += [rod((-0.28, 0, 1.16), (-end, 0, 1.16), 0.04)]
+    posts += [rod((-end, 0, 1.18), (-end, s * 0.42, 0), 0.035) for s in (-1, 1)] + [
+        rod((-0.28, -0.28, 1.16), (-0.28, 0.28, 1.16), 0.03)
+    ]
+    for x in (-0.66, -1.22 * end / 1.7):
+        swing = draw(-0.16, 0.16)
+        climb += [rod((x + s * 0.13, 0, 1.16), (x + s * 0.12, swing, 0.4), 0.011) for s in (-1, 1)]
+        seats += [box((0.32, 0.14, 0.035), (x, swing, 0.4), 0.012)]
+    seats += [
+        rod((-0.12, 0.3, 0.98), (0.12, 0.3, 0.98), 0.03),
+        ring(0.1, 0.022, (0.31, 0, 0.98), "x"),
+    ]
+    climb += [
+        rod((0.28, -0.28, 0.98), (0.28, 0.28, 0.98), 0.022),
+        rod((-0.28, 0.28, 0.98), (0.28, 0.28, 0.98), 0.022),
+    ]
+    base = [box((end + 1.4, 2.2, 0.05), (-(end - 0.7) / 2, -0.15, -0.01), 0.02)]
+    return {
+        "posts": posts,
+        "deck": deck,
+        "roof": roof,
+        "slide": slide,
+        "climbing bars": climb,
+        "seats": seats,
+        "ground": base,
+    }
+
+
+def _monkey_bars(draw: Draw) -> Parts:
+    count, long = 8 + draw.which(3), 0.95
+    posts = [rod((s * 0.3, y, 0), (s * 0.3, y, 1.0), 0.034) for s in (-1, 1) for y in (-long, long)]
+    posts += both_sides([capsule((0.3, -long, 1.0), (0.3, long, 1.0), 0.034)])
+    bars = [
+        rod((-0.31, y, 1.0), (0.31, y, 1.0), 0.024)
+        for y in np.linspace(-long + 0.14, long - 0.14, count)
+    ]
+    steps = [
+        rod((-0.31, y, z), (0.31, y, z), 0.024) for y in (-long, long) for z in (0.22, 0.42, 0.62)
+    ]
+    feet = [
+        rod((s * 0.3, y, -0.03), (s * 0.3, y, 0.05), 0.07, rim=0.01)
+        for s in (-1, 1)
+        for y in (-long, long)
+    ]
+    base = [box((0.95, 2 * long + 0.4, 0.05), (0, 0, -0.03), 0.015)]
+    return {"frame": posts, "bars": bars, "steps": steps, "feet": feet, "ground": base}
+
+
+def _hot_tub(draw: Draw) -> Parts:
+    r, high = 0.78, draw(0.5, 0.58)
+    staves = spun([box((0.19, 0.05, high), (0, -r, high / 2), 0.012)], 26)
+    shell = [
+        (0, 0.02),
+        (r - 0.005, 0.02),
+        (r - 0.005, high - 0.02),
+        (0.62, high - 0.02),
+        (0.6, 0.3),
+        (0, 0.26),
+    ]
+    rim = [
+        (0.58, high - 0.03),
+        (r + 0.06, high - 0.03),
+        (r + 0.07, high + 0.02),
+        (r + 0.04, high + 0.05),
+        (0.6, high + 0.05),
+        (0.57, high + 0.02),
+    ]
+    bands = [
+        turned([(r - 0.02, z), (r + 0.042, z), (r + 0.042, z + 0.035), (r - 0.02, z + 0.035)])
+        for z in (0.08, high - 0.13)
+    ]
+    water = [rod((0, 0, 0.2), (0, 0, high - 0.03), 0.61)]
+    rng = np.random.default_rng(draw.which(100))
+    bubbles = []
+    for _ in range(34):
+        a, d = rng.uniform(0, 2 * np.pi), 0.5 * np.sqrt(rng.uniform())
+        bubbles.append(
+            ball(float(rng.uniform(0.024, 0.05)), (d * np.cos(a), d * np.sin(a), high - 0.03))
+        )
+    steps = [
+        box((0.6, 0.24, 0.16), (0, -r - 0.28, 0.08), 0.015),
+        box((0.6, 0.2, 0.16), (0, -r - 0.12, 0.24), 0.015),
+    ]
+    panel = [box((0.2, 0.09, 0.03), (0, r - 0.06, high + 0.055), 0.008)]
+    panel += [
+        rod((x, r - 0.06, high + 0.06), (x, r - 0.06, high + 0.085), 0.022) for x in (-0.05, 0.05)
+    ]
+    pillows = [
+        ball(
+            (0.15, 0.06, 0.07),
+            (0.62 * np.sin(a), -0.62 * np.cos(a), high + 0.05),
+            (0, 0, np.degrees(a)),
+        )
+        for a in (1.6, -1.6)
+    ]
+    return {
+        "staves": [*staves, turned(shell)],
+        "rim": [turned(rim)],
+        "bands": bands,
+        "water": water,
+        "bubbles": bubbles,
+        "steps": steps,
+        "panel": [*panel, *pillows],
+    }
+
+
+def _bird_feeder(draw: Draw) -> Parts:
+    high = draw(1.2, 1.4)
+    z = high
+    wood = [
+        rod((0, 0, 0), (0, 0, z), 0.045),
+        box((0.62, 0.5, 0.04), (0, 0, z), 0.01),
+        *both_sides([box((0.03, 0.5, 0.07), (0.3, 0, z + 0.03), 0.006)]),
+        *(box((0.62, 0.03, 0.07), (0, y, z + 0.03), 0.006) for y in (-0.24, 0.24)),
+    ]
+    wood += both_sides(
+        [
+            plate(
+                [(-0.16, 0), (0.16, 0), (0.16, 0.3), (0, 0.42), (-0.16, 0.3)],
+                0.035,
+                (0.24, 0, z),
+                SIDE,
+            )
+        ]
+    )
+    roof = []
+    for s in (-1, 1):
+        way = Rotation.from_euler("x", -s * 38, degrees=True).as_matrix()
+        roof += placed(
+            [
+                box((0.74, 0.13, 0.03), (0, s * (0.05 + 0.11 * k), 0.01 * (3 - k)), 0.006)
+                for k in range(3)
+            ],
+            way,
+            (0, 0, z + 0.43),
+        )
+    glass = [box((0.46, 0.2, 0.27), (0, 0, z + 0.17), 0.006)]
+    seeds = [
+        ball((0.05, 0.05, 0.022), (x, y, z + 0.03))
+        for x in np.linspace(-0.2, 0.2, 5)
+        for y in (-0.17, 0.17)
+    ]
+    seeds += [box((0.44, 0.3, 0.05), (0, 0, z + 0.03), 0.02)]
+    foot = [rod((0, 0, -0.02), (0, 0, 0.05), 0.3, 0.26, 0.015)]
+    bird = [
+        ball((0.075, 0.11, 0.08), (0.1, -0.27, z + 0.15), (20, 0, 0)),
+        ball(0.056, (0.1, -0.36, z + 0.24)),
+        plate([(0, 0), (0.17, -0.02), (0.17, 0.04), (0, 0.05)], 0.06, (0.1, -0.2, z + 0.12), SIDE),
+    ]
+    beak = [
+        rod((0.1, -0.4, z + 0.24), (0.1, -0.48, z + 0.23), 0.024, 0.004),
+        *(rod((x, -0.26, z + 0.05), (x, -0.27, z + 0.1), 0.011) for x in (0.07, 0.13)),
+    ]
+    return {
+        "post": [*wood, *foot],
+        "roof": roof,
+        "glass": glass,
+        "seeds": seeds,
+        "bird": bird,
+        "beak": beak,
+    }
+
+
+def _bird_bath(draw: Draw) -> Parts:
+    wide = draw(0.5, 0.56)
+    column = [
+        (0, 0),
+        (0.34, 0),
+        (0.34, 0.06),
+        (0.28, 0.1),
+        (0.2, 0.13),
+        (0.13, 0.2),
+        (0.15, 0.42),
+        (0.11, 0.6),
+        (0.12, 0.86),
+        (0.2, 0.9),
+        (0, 0.92),
+    ]
+    bowl = [
+        (0, 0.88),
+        (0.16, 0.88),
+        (0.36, 0.93),
+        (wide, 1.05),
+        (wide + 0.02, 1.1),
+        (wide - 0.03, 1.1),
+        (0.34, 0.99),
+        (0, 0.96),
+    ]
+    flutes = spun([capsule((0, -0.145, 0.24), (0, -0.12, 0.8), 0.022)], 12)
+    rope = [
+        ball(0.026, ((wide + 0.012) * np.cos(a), (wide + 0.012) * np.sin(a), 1.085))
+        for a in np.arange(44) * 2 * np.pi / 44
+    ]
+    water = [rod((0, 0, 0.94), (0, 0, 1.045), wide - 0.16, wide - 0.09)]
+    at = np.array([0.2, -wide + 0.02, 1.13])
+    bird = [
+        ball((0.08, 0.12, 0.085), tuple(at + (0, 0, 0.08)), (24, 0, -20)),
+        ball(0.06, tuple(at + (-0.03, -0.09, 0.18))),
+        capsule(tuple(at + (0.02, 0.06, 0.07)), tuple(at + (0.05, 0.2, 0.1)), 0.036, 0.024),
+    ]
+    beak = [
+        rod(tuple(at + (-0.045, -0.13, 0.18)), tuple(at + (-0.07, -0.22, 0.17)), 0.024, 0.004),
+        *(rod(tuple(at + (x, 0, -0.04)), tuple(at + (x, 0, 0.04)), 0.011) for x in (-0.03, 0.03)),
+    ]
+    return {
+        "basin": [turned(column), turned(bowl), *flutes, *rope],
+        "water": water,
+        "bird": bird,
+        "beak": beak,
+    }
+
+
+def _weather_vane(draw: Draw) -> Parts:
+    turn = Rotation.from_euler("z", draw(-25.0, 25.0), degrees=True).as_matrix()
+    pole = [
+        rod((0, 0, 0), (0, 0, 1.1), 0.028),
+        ball(0.06, (0, 0, 0.42)),
+        ball(0.05, (0, 0, 0.78)),
+        rod((0, 0, -0.02), (0, 0, 0.1), 0.2, 0.09, 0.02),
+    ]
+    pole += [
+        rod((-0.42, 0, 0.5), (0.42, 0, 0.5), 0.018),
+        rod((0, -0.42, 0.5), (0, 0.42, 0.5), 0.018),
+    ]
+    stroke = {
+        "N": [((0, 0), (0, 1)), ((0, 1), (0.6, 0)), ((0.6, 0), (0.6, 1))],
+        "E": [((0, 0), (0, 1)), ((0, 0), (0.6, 0)), ((0, 0.5), (0.5, 0.5)), ((0, 1), (0.6, 1))],
+        "S": [
+            ((0, 0), (0.6, 0)),
+            ((0.6, 0), (0.6, 0.5)),
+            ((0.6, 0.5), (0, 0.5)),
+            ((0, 0.5), (0, 1)),
+            ((0, 1), (0.6, 1)),
+        ],
+        "W": [
+            ((0, 1), (0.15, 0)),
+            ((0.15, 0), (0.35, 0.6)),
+            ((0.35, 0.6), (0.55, 0)),
+            ((0.55, 0), (0.7, 1)),
+        ],
+    }
+    letters = []
+    for name, at in (("N", (0, 0.46)), ("S", (0, -0.46)), ("E", (0.46, 0)), ("W", (-0.46, 0))):
+        letters += [
+            capsule(
+                (at[0] + 0.17 * a - 0.055, at[1], 0.42 + 0.17 * b),
+                (at[0] + 0.17 * c - 0.055, at[1], 0.42 + 0.17 * d),
+                0.016,
+            )
+            for (a, b), (c, d) in stroke[name]
+        ]
+        letters.append(ball(0.026, (*at, 0.5)))
+    rooster = [
+        (0.3, 1.22),
+        (0.2, 1.2),
+        (0.02, 1.1),
+        (-0.14, 1.14),
+        (-0.24, 1.28),
+        (-0.26, 1.44),
+        (-0.34, 1.42),
+        (-0.27, 1.5),
+        (-0.22, 1.56),
+        (-0.12, 1.52),
+        (-0.08, 1.4),
+        (0.06, 1.34),
+        (0.16, 1.46),
+        (0.3, 1.58),
+        (0.44, 1.5),
+        (0.42, 1.34),
+    ]
+    comb = [
+        ball((0.045, 0.026, 0.05), (x, 0, z))
+        for x, z in ((-0.25, 1.58), (-0.19, 1.61), (-0.13, 1.57))
+    ] + [ball((0.03, 0.022, 0.05), (-0.26, 0, 1.39))]
+    body = [
+        plate(closed_curve(rooster), 0.05, (0, 0, 0), FRONT),
+        rod((0, 0, 1.0), (0, 0, 1.16), 0.022),
+    ]
+    arrow = [
+        rod((-0.6, 0, 1.02), (0.55, 0, 1.02), 0.02),
+        plate([(-0.78, 1.02), (-0.56, 1.11), (-0.56, 0.93)], 0.04, (0, 0, 0), FRONT),
+        plate(
+            [(0.4, 1.02), (0.5, 1.12), (0.68, 1.12), (0.6, 1.02), (0.68, 0.92), (0.5, 0.92)],
+            0.04,
+            (0, 0, 0),
+            FRONT,
+        ),
+    ]
+    return {
+        "pole": pole,
+        "letters": letters,
+        "arrow": placed(arrow, turn),
+        "rooster": placed(body, turn),
+        "comb": placed(comb, turn),
+    }
+
+
+def _windsock(draw: Draw) -> Parts:
+    drop = draw(4.0, 18.0)
+    pole = [
+        rod((0, 0, 0), (0, 0, 1.5), 0.032, 0.024),
+        rod((0, 0, -0.02), (0, 0, 0.06), 0.2, 0.17, 0.015),
+        ball(0.04, (0, 0, 1.5)),
+    ]
+    down = Rotation.from_euler("y", drop, degrees=True).as_matrix()
+    right = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
+    red, white = [], []
+    for k in range(5):
+        a, b = 0.2 * k, 0.2 * (k + 1)
+        r0, r1 = 0.17 - 0.075 * a, 0.17 - 0.075 * b
+        band = turned([(r0 - 0.022, a), (r0, a), (r1, b + 0.003), (r1 - 0.022, b + 0.003)])
+        (white if k % 2 else red).append(band)
+    hoop = [
+        ring(0.165, 0.018, (0, 0, 0.0)),
+        rod((-0.17, 0, 0), (0.17, 0, 0), 0.012),
+        rod((0, -0.17, 0), (0, 0.17, 0), 0.012),
+    ]
+    at = (0.06, 0, 1.38)
+    pole += [*placed(hoop, down @ right, at), rod((0, 0, 1.38), (0.1, 0, 1.38), 0.018)]
+    return {
+        "stripes": placed(red, down @ right, at),
+        "sleeve": placed(white, down @ right, at),
+        "pole": pole,
+    }
+
+
+def _pergola(draw: Draw) -> Parts:
+    wide, deep, count = draw(0.85, 0.95), 0.62, 9
+    wood = [
+        box((0.1, 0.1, 1.3), (s * wide, t * deep, 0.65), 0.01) for s in (-1, 1) for t in (-1, 1)
+    ]
+    wood += [
+        box((0.15, 0.15, 0.1), (s * wide, t * deep, 0.05), 0.012) for s in (-1, 1) for t in (-1, 1)
+    ]
+    beam = [
+        (-wide - 0.24, 0.06),
+        (-wide - 0.24, 0.12),
+        (wide + 0.24, 0.12),
+        (wide + 0.24, 0.06),
+        (wide + 0.16, 0),
+        (-wide - 0.16, 0),
+    ]
+    wood += [
+        plate(beam, 0.05, (0, t * (deep + 0.04 * s), 1.24), FRONT) for t in (-1, 1) for s in (-1, 1)
+    ]
+    wood += [
+        rod((s * wide, t * deep, 1.0), (s * (wide - 0.2), t * deep, 1.24), 0.026)
+        for s in (-1, 1)
+        for t in (-1, 1)
+    ]
+    rafter = [
+        (-deep - 0.26, 0.04),
+        (-deep - 0.26, 0.1),
+        (deep + 0.26, 0.1),
+        (deep + 0.26, 0.04),
+        (deep + 0.18, 0),
+        (-deep - 0.18, 0),
+    ]
+    slats = [plate(rafter, 0.04, (x, 0, 1.34), SIDE) for x in np.linspace(-wide, wide, count)]
+    slats += [
+        box((2 * wide + 0.3, 0.03, 0.03), (0, y, 1.445), 0.004)
+        for y in np.linspace(-deep - 0.1, deep + 0.1, 8)
+    ]
+    rng = np.random.default_rng(draw.which(100))
+    leaves, flowers = [], []
+    vine = [
+        (wide * np.cos(a * 0.0) + 0.07 * np.cos(3 * a), -deep + 0.07 * np.sin(3 * a), 0.12 * a)
+        for a in np.linspace(0, 11, 24)
+    ]
+    leaves.append(pipe(vine, 0.018))
+    for x, y, z in vine[2:]:
+        leaves.append(
+            ball(
+                (0.06, 0.06, 0.045), (x + rng.uniform(-0.03, 0.03), y + rng.uniform(-0.03, 0.03), z)
+            )
+        )
+    for _ in range(26):
+        leaves.append(
+            ball(
+                (0.13, 0.12, 0.06),
+                (rng.uniform(-0.1, wide + 0.1), rng.uniform(-deep - 0.1, 0.2), 1.46),
+            )
+        )
+    for k in range(12):
+        flowers.append(
+            ball(
+                0.045,
+                (rng.uniform(0, wide), -deep - 0.1 + 0.3 * rng.uniform(), 1.52 if k % 2 else 1.5),
+            )
+        )
+    floor = [box((2 * wide + 0.4, 2 * deep + 0.4, 0.05), (0, 0, 0.0), 0.01)]
+    return {"frame": wood, "slats": slats, "leaves": leaves, "flowers": flowers, "floor": floor}
+
+
+GARDEN_AND_LEISURE: dict[str, Callable[[Draw], Parts]] = {
+    "roller coaster": _roller_coaster,
+    "playground": _playground,
+    "monkey bars": _monkey_bars,
+    "hot tub": _hot_tub,
+    "bird feeder": _bird_feeder,
+    "bird bath": _bird_bath,
+    "weather vane": _weather_vane,
+    "windsock": _windsock,
+    "pergola": _pergola,
+}

@@ -10,6 +10,7 @@ from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
 from core.guidance.builtin.constructed.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
 from core.guidance.builtin.constructed.monuments import MONUMENTS
+from core.guidance.builtin.constructed.pets_and_smoking import PETS_AND_SMOKING
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
 from core.guidance.builtin.constructed.redrawn_buildings import REDRAWN_BUILDINGS
@@ -35,6 +36,7 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **CHARMS_AND_GAMES,
     **COOKING_AND_BATH,
     **GARDEN_AND_LEISURE,
+    **PETS_AND_SMOKING,
     **LABORATORY_AND_WORKSHOP,
     **STAGE_AND_STUDIO,
     **MONUMENTS,

@@ -61,7 +61,7 @@ DOORS_AND_BATHROOM = {
         Usual(0.75, CERAMIC, 0.15),
     ),
     "bathtub": Noun(
-        "bath tub, tub, bath; jacuzzi",
+        "bath tub, tub, bath",
         {
             "body": "*f0f0ee",
             "water": "-7cc0de . glass",

@@ -56,7 +56,7 @@ KITCHEN = {
         Usual(0.3, GLASS, 0.12),
     ),
     "bowl": Noun(
-        "; fishbowl, fish bowl, goldfish bowl, ashtray, salad bowl, mixing bowl, fruit bowl",
+        "; fishbowl, fish bowl, goldfish bowl, salad bowl, mixing bowl, fruit bowl",
         {"body": "*d8d2c4", "foot": "&b9a98c", "bands": "~4f7ea6"},
         Usual(0.16, CERAMIC, 0.5),
     ),
@@ -114,7 +114,7 @@ KITCHEN = {
         Usual(0.9, STEEL, 0.018),
     ),
     "refrigerator": Noun(
-        "fridge, icebox; freezer, ice box, minifridge",
+        "fridge; freezer, minifridge",
         {
             "body": "*dfe3e6 . paint",
             "doors": "*e8ebee . paint",

@@ -227,8 +227,7 @@ LAMPS_CLOCKS_AND_ORNAMENTS = {
         Usual(0.95, STEEL, 0.013),
     ),
     "birdhouse": Noun(
-        "bird house, bird box, nest box, nesting box, birdbox, wooden birdhouse; bird feeder, "
-        "bird table",
+        "bird house, bird box, nest box, nesting box, birdbox, wooden birdhouse",
         {
             "walls": "*c98f4e grain",
             "roof": "+a8382c . paint",

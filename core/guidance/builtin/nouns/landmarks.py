@@ -164,7 +164,7 @@ LANDMARKS = {
         Usual(20.0, STONE, 0.5),
     ),
     "fountain": Noun(
-        "water fountain, garden fountain; bird bath, birdbath",
+        "water fountain, garden fountain",
         {
             "basin": "*c9c0b0 . stone",
             "column": "&bdb3a2 . stone",
@@ -177,8 +177,7 @@ LANDMARKS = {
         Usual(3.0, STONE, 0.5),
     ),
     "gazebo": Noun(
-        "pavilion, garden pavilion, garden gazebo; bandstand, summerhouse, summer house, "
-        "pergola, rotunda, arbor",
+        "pavilion, garden pavilion, garden gazebo; bandstand, summerhouse, summer house, rotunda",
         {
             "base": "-b9b2a4 . stone",
             "posts": "*f4f1e8",

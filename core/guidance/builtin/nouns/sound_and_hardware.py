@@ -93,8 +93,8 @@ SOUND_AND_HARDWARE = {
         Usual(0.05, STEEL, 0.071),
     ),
     "pipe": Noun(
-        "water pipe, pipe fitting, pipeline; plumbing, drain pipe, "
-        "sewer pipe, gas pipe, plumbing pipe, pvc pipe, tube",
+        "pipe fitting, pipeline; plumbing, drain pipe, sewer pipe, gas pipe, plumbing pipe, "
+        "pvc pipe, tube",
         {
             "pipe": "*5f7f94 . paint",
             "flanges": "&4a6678 . paint",

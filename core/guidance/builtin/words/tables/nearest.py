@@ -6,7 +6,6 @@ NEAREST = {
     "cutting board": "knife block",
     "curtain": "folding screen, room divider",
     "saw": "hand plane, block plane, bench plane, jack plane, wood plane",
-    "stool": "cat tree, cat scratcher, scratching post",
     "can": "toothpaste tube, paint tube",
     "mug": "pen holder, pencil holder, pencil cup",
     "bottle": "cocktail shaker",
