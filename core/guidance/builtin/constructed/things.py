@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
+from core.guidance.builtin.constructed.bath_and_household import BATH_AND_HOUSEHOLD
 from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
-from core.guidance.builtin.constructed.cooking_and_bath import COOKING_AND_BATH
+from core.guidance.builtin.constructed.cooking import COOKING
 from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
@@ -34,7 +35,8 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **SIGHTS,
     **DESK_AND_WORKSHOP,
     **CHARMS_AND_GAMES,
-    **COOKING_AND_BATH,
+    **COOKING,
+    **BATH_AND_HOUSEHOLD,
     **GARDEN_AND_LEISURE,
     **PETS_AND_SMOKING,
     **LABORATORY_AND_WORKSHOP,

@@ -1,5 +1,281 @@
 """Things of the kitchen, the bath and the household, put together from simple solids."""
 
-from core.guidance.builtin.nouns.noun import Noun
+from core.guidance.builtin.nouns.noun import CERAMIC, GLASS, PLASTIC, STEEL, WAX, WOOD, Noun, Usual
 
-COOKING_AND_BATH: dict[str, Noun] = {}
+COOKING_AND_BATH: dict[str, Noun] = {
+    "stand mixer": Noun(
+        "kitchen mixer, food mixer, standing mixer, cake mixer, stand mixers, kitchenaid, mixer",
+        {
+            "body": "*c4262e . paint",
+            "bowl": "-c3c8cd . metal",
+            "whisk": "-b0b6bc . metal",
+            "band": "+d5d9dd . metal",
+            "knobs": "-26262a . plastic",
+        },
+        Usual(0.36, STEEL, 0.25),
+        constructed=True,
+    ),
+    "corkscrew": Noun(
+        "cork screw, wine opener, corkscrews, winged corkscrew",
+        {
+            "screw": "-9aa1a8 . metal",
+            "body": "*c9a13e . golden",
+            "arms": "*c9a13e . golden",
+            "handle": "&b58d34 . golden",
+        },
+        Usual(0.18, STEEL, 0.9),
+        constructed=True,
+    ),
+    "bottle opener": Noun(
+        "beer opener, bottle openers",
+        {"metal": "-aeb4ba . metal", "grip": "*a8432c . wooden", "rivets": "-c79a3e . golden"},
+        Usual(0.15, STEEL),
+        constructed=True,
+    ),
+    "can opener": Noun(
+        "tin opener, can openers, tin openers",
+        {
+            "handles": "*c4262e . plastic",
+            "body": "-aeb4ba . metal",
+            "cutter": "-8d949b . metal",
+            "crank": "+26262a . plastic",
+        },
+        Usual(0.2, STEEL, 0.6),
+        constructed=True,
+    ),
+    "mortar and pestle": Noun(
+        "pestle and mortar, mortar with pestle, pestle",
+        {"mortar": "*d8d4cc . stone", "pestle": "&c4bfb4 . stone", "herbs": "-5f9a3a"},
+        Usual(0.18, CERAMIC),
+        constructed=True,
+    ),
+    "cake stand": Noun(
+        "cakestand, cake on a stand, cake plate, cake stands",
+        {
+            "stand": "*bfe0e6 . ceramic",
+            "cake": "-d9a860",
+            "icing": "+f7c6d4",
+            "berries": "-c4203a",
+            "leaves": "-4f9a35",
+        },
+        Usual(0.32, CERAMIC, 0.5),
+        constructed=True,
+    ),
+    "kitchen scale": Noun(
+        "kitchen scales, weighing scale, weighing scales, food scale, baking scale; bathroom scale, weight scale",
+        {
+            "body": "*6fb5a8 . paint",
+            "pan": "-c3c8cd . metal",
+            "face": "-f7f4ea",
+            "rim": "+c3c8cd . metal",
+            "marks": "-22252a",
+            "pointer": "-c9261f",
+        },
+        Usual(0.3, STEEL, 0.2),
+        constructed=True,
+    ),
+    "ladle": Noun(
+        "soup ladle, ladles, dipper",
+        {"bowl": "*aeb4ba . metal", "stem": "*aeb4ba . metal", "grip": "+26262a . plastic"},
+        Usual(0.33, STEEL),
+        constructed=True,
+    ),
+    "tongs": Noun(
+        "kitchen tongs, bbq tongs, salad tongs; tweezers, sugar tongs",
+        {"arms": "*aeb4ba . metal", "grips": "+c4262e . rubber"},
+        Usual(0.3, STEEL),
+        constructed=True,
+    ),
+    "egg cup": Noun(
+        "eggcup, egg in an egg cup, egg holder, egg cups",
+        {"cup": "*f2f0ea . ceramic", "egg": "+d9a878", "bands": "-3f7fc4 . paint"},
+        Usual(0.11, CERAMIC),
+        constructed=True,
+    ),
+    "waffle maker": Noun(
+        "waffle iron, waffle makers, waffle press; sandwich maker, panini press",
+        {
+            "body": "*c4262e . paint",
+            "plates": "-33363a . metal",
+            "waffle": "-d9983e",
+            "handle": "-222226 . plastic",
+            "lamps": "-f0c23a",
+        },
+        Usual(0.32, STEEL, 0.3),
+        constructed=True,
+    ),
+    "samovar": Noun(
+        "samovars, russian samovar, tea urn",
+        {
+            "body": "*c79a3e . golden",
+            "rings": "&e0b85a . golden",
+            "handles": "-5a3018 . wooden",
+            "teapot": "+f2ece0 . ceramic",
+        },
+        Usual(0.5, STEEL, 0.2),
+        constructed=True,
+    ),
+    "french press": Noun(
+        "coffee press, cafetiere, coffee plunger, french presses",
+        {
+            "glass": "-d5e6ea . glass",
+            "coffee": "-3a2012",
+            "frame": "*b9bfc6 . metal",
+            "handle": "+232326 . plastic",
+        },
+        Usual(0.24, GLASS, 0.5),
+        constructed=True,
+    ),
+    "pizza cutter": Noun(
+        "pizza wheel, pizza slicer, pizza cutters",
+        {"blade": "-b9bfc6 . metal", "fork": "-8d949b . metal", "grip": "*c4262e . plastic"},
+        Usual(0.2, STEEL, 0.7),
+        constructed=True,
+    ),
+    "chopsticks": Noun(
+        "chopstick, chop sticks, pair of chopsticks",
+        {"sticks": "*7a2f22 . wooden", "bands": "+d8a83c . golden", "rest": "-e8e4da . ceramic"},
+        Usual(0.23, WOOD),
+        constructed=True,
+    ),
+    "shower": Noun(
+        "shower cabin, shower cubicle, shower stall, showers, shower enclosure",
+        {
+            "tray": "-f2f2ee . ceramic",
+            "walls": "*9fc4d4 . ceramic",
+            "glass": "-d8ecf2 . glass",
+            "frame": "+b9bfc6 . metal",
+            "fittings": "-c9ced4 . metal",
+            "water": "-7fc4e8 . glass",
+        },
+        Usual(2.0, CERAMIC, 0.4),
+        constructed=True,
+    ),
+    "soap": Noun(
+        "bar of soap, soap bar, soap dish, soaps",
+        {
+            "bar": "*f2a8b8",
+            "stamp": "&e08a9e",
+            "bubbles": "-eaf6fa . glass",
+            "dish": "+f4f2ec . ceramic",
+        },
+        Usual(0.12, WAX),
+        constructed=True,
+    ),
+    "sponge": Noun(
+        "kitchen sponge, dish sponge, sponges, cleaning sponge, washing sponge",
+        {"body": "*f2d23a . fabric", "scourer": "+3f8f4a . fabric", "pores": "-c9a322"},
+        Usual(0.12, PLASTIC, 0.05),
+        constructed=True,
+    ),
+    "mousetrap": Noun(
+        "mouse trap, mousetraps, rat trap, mouse traps",
+        {
+            "base": "*c9975a . wooden",
+            "wire": "-b5793a . copper",
+            "trigger": "-d8b04a . metal",
+            "cheese": "-f2c63a",
+        },
+        Usual(0.1, WOOD, 0.8),
+        constructed=True,
+    ),
+    "fly swatter": Noun(
+        "flyswatter, fly swat, fly swatters",
+        {
+            "net": "*d8322a . plastic",
+            "wire": "-8d949b . metal",
+            "grip": "&d8322a . plastic",
+            "fly": "-1c1c20",
+        },
+        Usual(0.45, PLASTIC, 0.8),
+        constructed=True,
+    ),
+    "feather duster": Noun(
+        "duster, dusting brush, feather dusters",
+        {
+            "feathers": "*8a3fb0",
+            "plumes": "+c47ae0",
+            "handle": "-7a4a24 . wooden",
+            "collar": "-d8a83c . golden",
+        },
+        Usual(0.5, PLASTIC, 0.05),
+        constructed=True,
+    ),
+    "clothespin": Noun(
+        "clothes peg, clothespeg, clothes pin, clothespins, clothes pegs, laundry peg, peg",
+        {"wood": "*d8b070 . wooden", "spring": "-9aa1a8 . metal"},
+        Usual(0.08, WOOD),
+        constructed=True,
+    ),
+    "light switch": Noun(
+        "lightswitch, wall switch, light switches, rocker switch",
+        {
+            "plate": "*f4f2ec . plastic",
+            "frame": "&dedbd2 . plastic",
+            "rocker": "*f4f2ec . plastic",
+            "mark": "-8d949b",
+            "screws": "-b9bfc6 . metal",
+            "lamp": "-5ad06a",
+        },
+        Usual(0.12, PLASTIC, 0.5),
+        constructed=True,
+    ),
+    "power outlet": Noun(
+        "electrical outlet, wall socket, power socket, wall outlet, electric socket, electrical socket, plug socket, power outlets",
+        {
+            "plate": "*f4f2ec . plastic",
+            "sockets": "&dedbd2 . plastic",
+            "slots": "-26282c",
+            "screw": "-b9bfc6 . metal",
+        },
+        Usual(0.12, PLASTIC, 0.5),
+        constructed=True,
+    ),
+    "smoke detector": Noun(
+        "smoke alarm, fire alarm, smoke detectors, carbon monoxide detector",
+        {
+            "body": "*f4f2ec . plastic",
+            "slots": "-3a3d42",
+            "vents": "-c9c6bc . plastic",
+            "button": "&dedbd2 . plastic",
+            "lamp": "-e0281e",
+        },
+        Usual(0.14, PLASTIC, 0.3),
+        constructed=True,
+    ),
+    "toothpaste": Noun(
+        "tube of toothpaste, toothpaste tube, tooth paste; tube of paint, ointment, hand cream",
+        {
+            "tube": "*f4f4f2 . plastic",
+            "label": "+2f7fd0 . plastic",
+            "emblem": "-e0352e",
+            "cap": "+2f7fd0 . plastic",
+        },
+        Usual(0.18, PLASTIC, 0.9),
+        constructed=True,
+    ),
+    "dish rack": Noun(
+        "drying rack, dish drainer, dish drying rack, plate rack, dish racks",
+        {
+            "rack": "*aeb4ba . metal",
+            "plates": "-f4f2ec . ceramic",
+            "trim": "-3f7fc4",
+            "mug": "+d8502a . ceramic",
+            "tray": "-4a5058 . plastic",
+        },
+        Usual(0.45, CERAMIC, 0.5),
+        constructed=True,
+    ),
+    "razor": Noun(
+        "safety razor, shaver, razors, shaving razor; straight razor, electric shaver",
+        {
+            "handle": "*2f5fa8 . plastic",
+            "grip": "-22252a . rubber",
+            "head": "&3a3f48 . plastic",
+            "blades": "-c3c8cd . metal",
+            "strip": "-5ad0a0",
+        },
+        Usual(0.15, PLASTIC, 0.9),
+        constructed=True,
+    ),
+}

@@ -69,7 +69,7 @@ HAND_TOOLS = {
         Usual(0.25, STEEL, 0.93),
     ),
     "pliers": Noun(
-        "pair of pliers, plier, needle nose pliers, combination pliers; tongs, pincers, wire "
+        "pair of pliers, plier, needle nose pliers, combination pliers; pincers, wire "
         "cutters, wire cutter, tin snips",
         {
             "jaws": "*aab0b8 . metal",
@@ -189,7 +189,7 @@ HAND_TOOLS = {
         Usual(0.2, STEEL, 0.23),
     ),
     "spoon": Noun(
-        "teaspoon, tablespoon; ladle, chopsticks",
+        "teaspoon, tablespoon",
         {"bowl": "*c3c8cd . metal", "handle": "&b4b9bf . metal"},
         Usual(0.18, STEEL, 0.26),
     ),

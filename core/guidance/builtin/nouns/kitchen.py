@@ -152,7 +152,7 @@ KITCHEN = {
         Usual(0.3, STEEL, 0.04),
     ),
     "blender": Noun(
-        "kitchen blender; mixer, food processor, juicer, smoothie maker",
+        "kitchen blender; food processor, juicer, smoothie maker",
         {
             "base": "*c9261f . paint",
             "jug": "-bfdde4 . glass",
