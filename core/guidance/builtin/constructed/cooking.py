@@ -385,15 +385,17 @@ def _egg_cup(draw: Draw) -> Parts:
         (0.22, high + 0.12),
         (0, high + 0.04),
     ]
-    egg = curve([
-        (0, high + 0.05),
-        (0.16, high + 0.1),
-        (0.255, high + 0.26),
-        (0.265, high + 0.38),
-        (0.22, high + 0.58),
-        (0.12, high + 0.7),
-        (0, high + 0.73),
-    ])
+    egg = curve(
+        [
+            (0, high + 0.05),
+            (0.16, high + 0.1),
+            (0.255, high + 0.26),
+            (0.265, high + 0.38),
+            (0.22, high + 0.58),
+            (0.12, high + 0.7),
+            (0, high + 0.73),
+        ]
+    )
     band = [ring(0.292, 0.02, (0, 0, high + 0.24)), ring(0.25, 0.018, (0, 0, 0.035))]
     return {"cup": [turned(cup)], "egg": [turned(egg)], "bands": band}
 

@@ -6,10 +6,11 @@ from core.guidance.builtin.constructed.bath_and_household import BATH_AND_HOUSEH
 from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
 from core.guidance.builtin.constructed.cooking import COOKING
 from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
+from core.guidance.builtin.constructed.desk_tools import DESK_TOOLS
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
-from core.guidance.builtin.constructed.laboratory_and_workshop import LABORATORY_AND_WORKSHOP
+from core.guidance.builtin.constructed.laboratory import LABORATORY
 from core.guidance.builtin.constructed.monuments import MONUMENTS
 from core.guidance.builtin.constructed.pets_and_smoking import PETS_AND_SMOKING
 from core.guidance.builtin.constructed.redrawn import REDRAWN
@@ -22,6 +23,7 @@ from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
 from core.guidance.builtin.constructed.stage_and_studio import STAGE_AND_STUDIO
+from core.guidance.builtin.constructed.workshop import WORKSHOP
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
 
@@ -39,7 +41,9 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **BATH_AND_HOUSEHOLD,
     **GARDEN_AND_LEISURE,
     **PETS_AND_SMOKING,
-    **LABORATORY_AND_WORKSHOP,
+    **LABORATORY,
+    **DESK_TOOLS,
+    **WORKSHOP,
     **STAGE_AND_STUDIO,
     **MONUMENTS,
     **ENGINES_OF_WAR,

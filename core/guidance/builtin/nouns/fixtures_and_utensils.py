@@ -201,8 +201,7 @@ FIXTURES_AND_UTENSILS = {
     ),
     "jug": Noun(
         "pitcher, water jug, water pitcher, milk jug, jugs, ewer, creamer, milk pitcher; "
-        "carafe, wine jug, lemonade pitcher, jug of milk, jug of water, gravy boat, measuring "
-        "jug",
+        "carafe, wine jug, lemonade pitcher, jug of milk, jug of water, gravy boat",
         {
             "body": "*ece6d8 . ceramic",
             "handle": "&ece6d8 . ceramic",

@@ -131,7 +131,7 @@ SCHOOL_AND_LABORATORY = {
     ),
     "molecule": Noun(
         "molecules, water molecule, molecule model, molecular model, methane molecule, h2o, "
-        "h2o molecule; atom, chemical compound, protein, atoms",
+        "h2o molecule; chemical compound, protein",
         {
             "core": "*d42a24",
             "atoms": "+f2f2ee",
@@ -145,9 +145,8 @@ SCHOOL_AND_LABORATORY = {
         Usual(0.1, STEEL, 0.093),
     ),
     "flask": Noun(
-        "laboratory flask, lab flask, erlenmeyer flask, erlenmeyer, conical flask, "
-        "chemistry flask, science flask; beaker, round bottom flask, chemical "
-        "flask, canteen",
+        "laboratory flask, lab flask, erlenmeyer flask, erlenmeyer, conical flask, chemistry "
+        "flask, science flask; round bottom flask, chemical flask, canteen",
         {
             "glass": "*c4e2e8 . glass",
             "liquid": "+2fb84f . glass",

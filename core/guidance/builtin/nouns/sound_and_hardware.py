@@ -84,7 +84,7 @@ SOUND_AND_HARDWARE = {
         "vinyl record",
     ),
     "screw": Noun(
-        "wood screw; bolt, machine screw, wall screw",
+        "wood screw; machine screw, wall screw",
         {
             "head": "*bfc4c9 . metal",
             "shaft": "*9aa0a6 . metal",
