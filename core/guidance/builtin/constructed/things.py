@@ -19,10 +19,11 @@ from core.guidance.builtin.constructed.redrawn_buildings import REDRAWN_BUILDING
 from core.guidance.builtin.constructed.redrawn_rails_and_roads import REDRAWN_RAILS_AND_ROADS
 from core.guidance.builtin.constructed.redrawn_studio import REDRAWN_STUDIO
 from core.guidance.builtin.constructed.redrawn_vehicles import REDRAWN_VEHICLES
+from core.guidance.builtin.constructed.sewing_and_music import SEWING_AND_MUSIC
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
 from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
-from core.guidance.builtin.constructed.stage_and_studio import STAGE_AND_STUDIO
+from core.guidance.builtin.constructed.stage import STAGE
 from core.guidance.builtin.constructed.workshop import WORKSHOP
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
@@ -44,7 +45,8 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **LABORATORY,
     **DESK_TOOLS,
     **WORKSHOP,
-    **STAGE_AND_STUDIO,
+    **STAGE,
+    **SEWING_AND_MUSIC,
     **MONUMENTS,
     **ENGINES_OF_WAR,
 }

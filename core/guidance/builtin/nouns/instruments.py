@@ -58,7 +58,7 @@ INSTRUMENTS = {
         Usual(0.55, WOOD, 0.17),
     ),
     "violin": Noun(
-        "fiddle; cello, viola, double bass, hurdy gurdy",
+        "fiddle; viola, hurdy gurdy",
         {
             "body": "*b0531e grain",
             "neck": "-241a16",
@@ -84,7 +84,7 @@ INSTRUMENTS = {
         constructed=True,
     ),
     "trumpet": Noun(
-        "; bugle, cornet, trombone, french horn, tuba, brass horn, flugelhorn",
+        "; bugle, cornet, trombone, flugelhorn",
         {
             "body": "*e8b93c . golden",
             "valves": "&c8962a . golden",
@@ -161,7 +161,7 @@ INSTRUMENTS = {
         Usual(0.5, WOOD, 0.5),
     ),
     "drum": Noun(
-        "snare drum; bongo, bongos, taiko, timpani, conga, djembe, tambourine, bass drum, snare",
+        "snare drum; taiko, timpani, conga, djembe, bass drum, snare",
         {
             "shell": "*b71f24 . paint",
             "hoops": "+e0b84a . golden",

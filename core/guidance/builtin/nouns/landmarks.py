@@ -108,7 +108,7 @@ LANDMARKS = {
         Usual(4.0, STONE, 1.0),
     ),
     "arch": Noun(
-        "archway; gateway, portal, arc de triomphe, portal gate, moon gate",
+        "archway; gateway, arc de triomphe, portal gate, moon gate",
         {"body": "*cbb894 bricks stone", "cornice": "&e0d2b4 . stone"},
         Usual(4.0, STONE),
     ),

@@ -88,8 +88,8 @@ RELICS_AND_NATURE = {
         Usual(1.1, STEEL, 0.02),
     ),
     "drinking horn": Noun(
-        "viking horn, ale horn, mead horn, viking drinking horn; horn, war horn, powder horn, "
-        "hunting horn, blowing horn, battle horn",
+        "viking horn, ale horn, mead horn, viking drinking horn; horn, war horn, powder horn,"
+        " blowing horn, battle horn",
         {
             "horn": "*cdb48a",
             "rim": "+d8a83c . golden",
