@@ -620,6 +620,6 @@ STAGE: dict[str, Callable[[Draw], Parts]] = {
     "palette": _palette,
     "metronome": _metronome,
     "director chair": _director_chair,
-    "jack in the box": _jack_in_the_box,
+    "jackbox": _jack_in_the_box,
     "portal": _portal,
 }

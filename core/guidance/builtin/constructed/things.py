@@ -10,8 +10,10 @@ from core.guidance.builtin.constructed.desk_tools import DESK_TOOLS
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
+from core.guidance.builtin.constructed.gym_and_crafts import GYM_AND_CRAFTS
 from core.guidance.builtin.constructed.laboratory import LABORATORY
 from core.guidance.builtin.constructed.monuments import MONUMENTS
+from core.guidance.builtin.constructed.odd_vehicles import ODD_VEHICLES
 from core.guidance.builtin.constructed.pets_and_smoking import PETS_AND_SMOKING
 from core.guidance.builtin.constructed.redrawn import REDRAWN
 from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
@@ -46,6 +48,8 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **DESK_TOOLS,
     **WORKSHOP,
     **STAGE,
+    **ODD_VEHICLES,
+    **GYM_AND_CRAFTS,
     **SEWING_AND_MUSIC,
     **MONUMENTS,
     **ENGINES_OF_WAR,

@@ -42,6 +42,7 @@ from core.guidance.builtin.nouns.mammals import MAMMALS
 from core.guidance.builtin.nouns.monsters import MONSTERS
 from core.guidance.builtin.nouns.monuments import MONUMENTS
 from core.guidance.builtin.nouns.noun import Noun
+from core.guidance.builtin.nouns.odd_vehicles_and_games import ODD_VEHICLES_AND_GAMES
 from core.guidance.builtin.nouns.order import ORDER
 from core.guidance.builtin.nouns.people import PEOPLE
 from core.guidance.builtin.nouns.phones_cameras_and_audio import PHONES_CAMERAS_AND_AUDIO
@@ -102,6 +103,7 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Laboratory and Workshop": LABORATORY_AND_WORKSHOP,
     "Stage and Studio": STAGE_AND_STUDIO,
     "Monuments": MONUMENTS,
+    "Odd Vehicles and Games": ODD_VEHICLES_AND_GAMES,
     "Engines of War": ENGINES_OF_WAR,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}

@@ -18,7 +18,7 @@ ADVENTURE_PROPS = {
         Usual(1.1, STEEL, 0.045),
     ),
     "dagger": Noun(
-        "; dirk, throwing knife, kunai, bayonet, kris, letter opener",
+        "; dirk, bayonet, kris, letter opener",
         {
             "blade": "*b4bac2 . metal",
             "guard": "+8a7a4a . metal",

@@ -96,7 +96,7 @@ AIRCRAFT_AND_SPACE = {
         Usual(40, FABRIC, 0.005),
     ),
     "rocket": Noun(
-        "rocket ship, space rocket; missile, firework, rocketship, torpedo",
+        "rocket ship, space rocket; firework, rocketship",
         {
             "hull": "*e6e6e8",
             "nose": "+cc1a14",

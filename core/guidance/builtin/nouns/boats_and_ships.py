@@ -128,9 +128,9 @@ BOATS_AND_SHIPS = {
         constructed=True,
     ),
     "cargo ship": Noun(
-        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, freight "
-        "ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, tugboat, "
-        "steamboat, battleship, warship, aircraft carrier",
+        "container ship, freighter, cargo vessel, containership, cargo boat, cargo ships, "
+        "freight ship; oil tanker, tanker ship, bulk carrier, merchant ship, ship, ferry, "
+        "battleship, warship, aircraft carrier",
         {
             "hull": "*25436b . paint",
             "keel": "+b02a22 . paint",

@@ -93,7 +93,7 @@ CLOTHES_AND_SHOES = {
         Usual(0.6, FABRIC, 0.3),
     ),
     "bow tie": Noun(
-        "bowtie",
+        "bowtie; hair bow",
         {"body": "*b01f2c . fabric", "knot": "&8a1620 . fabric", "folds": "-6e1019"},
         Usual(0.12, FABRIC, 0.6),
     ),

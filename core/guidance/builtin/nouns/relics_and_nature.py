@@ -115,11 +115,10 @@ RELICS_AND_NATURE = {
         Usual(2.1, WOOD, 0.04),
     ),
     "sack": Noun(
-        "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, bag of money, bag of "
-        "gold, coin bag, sack of flour, sack of potatoes, grain sack, sandbag, pouch, coin "
-        "pouch, loot bag, sleeping bag, bag of chips, crisp packet, chip bag, potato bag, "
-        "trash bag, garbage bag, bin bag, rubbish bag, punching bag, boxing bag, plastic bag, "
-        "paper bag",
+        "sacks, burlap sack; flour sack, money bag, moneybag, burlap bag, bag of money, bag "
+        "of gold, coin bag, sack of flour, sack of potatoes, grain sack, sandbag, pouch, coin"
+        " pouch, loot bag, sleeping bag, bag of chips, crisp packet, chip bag, potato bag, "
+        "trash bag, garbage bag, bin bag, rubbish bag, plastic bag, paper bag",
         {
             "body": "*b99563 . fabric",
             "mouth": "&b99563 . fabric",
@@ -129,7 +128,7 @@ RELICS_AND_NATURE = {
         Usual(0.8, FABRIC, 0.5),
     ),
     "anchor": Noun(
-        "anchors, ship anchor, boat anchor; ship's anchor, grapnel",
+        "anchors, ship anchor, boat anchor; ship's anchor",
         {
             "shank": "*3f474f . metal",
             "arms": "*3f474f . metal",

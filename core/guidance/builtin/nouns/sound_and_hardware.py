@@ -104,8 +104,8 @@ SOUND_AND_HARDWARE = {
         Usual(0.5, STEEL, 0.13),
     ),
     "rope": Noun(
-        "coil of rope, rope coil, coiled rope, roll of rope; lasso, lariat, jump rope, "
-        "skipping rope, climbing rope, garden hose, fire hose, hose, thread",
+        "coil of rope, rope coil, coiled rope, roll of rope; jump rope, skipping rope, "
+        "climbing rope, garden hose, fire hose, hose, thread",
         {
             "coil": "*c9a468",
             "strands": "*b38c50",

@@ -191,7 +191,7 @@ SPORT = {
         Usual(0.28, STEEL, 0.5),
     ),
     "barbell": Noun(
-        "bar bell, weight bar; weightlifting bar, weight set, bench press",
+        "bar bell, weight bar; weightlifting bar, weight set",
         {
             "weights": "*c8281f . rubber",
             "plates": "+2456a8 . rubber",
@@ -213,7 +213,7 @@ SPORT = {
         Usual(1.8, STEEL, 0.028),
     ),
     "roller skate": Noun(
-        "rollerskate, skate, quad skate; inline skate, rollerblade, ice skate",
+        "rollerskate, skate, quad skate; inline skate, rollerblade",
         {
             "body": "*f2f0ea . leather",
             "sole": "-3a3d43",

@@ -124,8 +124,8 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         Usual(0.95, WOOD, 0.5),
         constructed=True,
     ),
-    "jack in the box": Noun(
-        "jack-in-the-box, toy clown in a box, surprise box",
+    "jackbox": Noun(
+        "jack box, clown box, surprise box, pop up clown",
         {
             "box": "*2f62c8 . paint",
             "trim": "+f2c22e . paint",
@@ -256,7 +256,7 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "ribbon": Noun(
-        "ribbon bow, bow ribbon, gift bow, ribbons, hair bow, satin bow",
+        "ribbon bow, bow ribbon, gift bow, ribbons, satin bow",
         {"loops": "*d8283e . fabric", "tails": "&b81f34 . fabric", "knot": "&c4243a . fabric"},
         Usual(0.15, FABRIC, 0.3),
         constructed=True,

@@ -53,7 +53,7 @@ TRAINS_CYCLES_AND_CARTS = {
         Usual(1.6, WOOD, 0.8),
     ),
     "bicycle": Noun(
-        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, ebike, penny farthing",
+        "bike, push bike, pushbike, cycle; mountain bike, road bike, bmx, ebike",
         {
             "frame": "*c9211e . paint",
             "wheels": TYRES_LOOK,
