@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
+    BACKWARD,
     FLAT,
     FRONT,
     SIDE,
@@ -28,7 +29,6 @@ from core.guidance.builtin.constructed.shapes import (
     turned,
 )
 
-BACK = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # heights go along +y
 
 
 def _tyre(radius: float, tube: float, spokes: int, at: tuple) -> tuple[list, list]:
@@ -343,7 +343,7 @@ def _hovercraft(draw: Draw) -> Parts:
     for x in (-0.3, 0.3):
         fans += placed(
             [turned([(0.24, -0.12), (0.29, -0.14), (0.3, 0.1), (0.26, 0.14), (0.25, 0.1)])],
-            BACK,
+            BACKWARD,
             (x, 0.74 * long, 0.72),
         )
         fans += [
@@ -691,7 +691,7 @@ def _torpedo(draw: Draw) -> Parts:
                 ]
             )
         ],
-        BACK,
+        BACKWARD,
     )
     nose = placed(
         [
@@ -710,7 +710,7 @@ def _torpedo(draw: Draw) -> Parts:
                 ]
             )
         ],
-        BACK,
+        BACKWARD,
     )
     fins = placed(
         spun(
@@ -729,9 +729,9 @@ def _torpedo(draw: Draw) -> Parts:
             ],
             4,
         ),
-        BACK,
+        BACKWARD,
     )
-    screw = placed([rod((0, 0, long + 0.16), (0, 0, long + 0.34), 0.06, 0.03)], BACK)
+    screw = placed([rod((0, 0, long + 0.16), (0, 0, long + 0.34), 0.06, 0.03)], BACKWARD)
     blades = [
         ball(
             (0.06, 0.02, 0.11),
@@ -741,7 +741,7 @@ def _torpedo(draw: Draw) -> Parts:
         for a in np.arange(4) * np.pi / 2
     ]
     bands = placed(
-        [rod((0, 0, z), (0, 0, z + 0.04), 0.176, rim=0.004) for z in (-0.4, 0.1, 0.5)], BACK
+        [rod((0, 0, z), (0, 0, z + 0.04), 0.176, rim=0.004) for z in (-0.4, 0.1, 0.5)], BACKWARD
     )
     guard = placed(
         [
@@ -749,7 +749,7 @@ def _torpedo(draw: Draw) -> Parts:
                 [(0.25, long + 0.03), (0.28, long + 0.03), (0.28, long + 0.12), (0.25, long + 0.12)]
             )
         ],
-        BACK,
+        BACKWARD,
     )
     return {
         "body": body,
@@ -778,7 +778,7 @@ def _jet_engine(draw: Draw) -> Parts:
                 ]
             )
         ],
-        BACK,
+        BACKWARD,
     )
     fan = [rod((0, -0.3, 0), (0, 0.1, 0), 0.16)]
     fan += [
@@ -792,7 +792,7 @@ def _jet_engine(draw: Draw) -> Parts:
     ]
     spinner = placed(
         [turned([(0, -0.56), *curve([(0.01, -0.555), (0.1, -0.44), (0.17, -0.29)]), (0, -0.28)])],
-        BACK,
+        BACKWARD,
     )
     spiral = [
         pipe(
@@ -819,7 +819,7 @@ def _jet_engine(draw: Draw) -> Parts:
             ),
             turned([(0, 0.5), (0.2, 0.5), (0.12, 0.9), (0.02, 1.12), (0, 1.12)]),
         ],
-        BACK,
+        BACKWARD,
     )
     struts = spun([box((0.04, 0.16, 0.56), (0, 0.0, 0.3), 0.006)], 6, "y")
     pipes = [

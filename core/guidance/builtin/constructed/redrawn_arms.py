@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from core.geometry.parts.primitives import Loop, Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
+    LEFTWARD,
     FRONT,
     SIDE,
     Parts,
@@ -23,8 +24,6 @@ from core.guidance.builtin.constructed.shapes import (
     turned,
 )
 
-# A solid of revolution that looks to the left: its heights go along -x.
-LEFT = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 def _bevelled(
@@ -123,7 +122,7 @@ def _rifle(draw: Draw) -> Parts:
     barrel = [rod((-0.5, 0, 0.08), (-long - 0.16, 0, 0.08), 0.026)]
     barrel += placed(
         [turned([(0, 0), (0.04, 0), (0.04, 0.14), (0.018, 0.14), (0.018, 0.05), (0, 0.05)])],
-        LEFT,
+        LEFTWARD,
         (-long - 0.1, 0, 0.08),
     )
     barrel += [
@@ -171,7 +170,7 @@ def _rifle(draw: Draw) -> Parts:
                 ]
             )
         ],
-        LEFT,
+        LEFTWARD,
         (0, 0, 0.26),
     )
     scope += [box((0.06, 0.06, 0.12), (x, 0, 0.19), 0.008) for x in (-0.1, 0.1)]
@@ -199,7 +198,7 @@ def _rifle(draw: Draw) -> Parts:
 def _shotgun(draw: Draw) -> Parts:
     long = draw(0.9, 1.0)
     tube = [(0, 0), (0.042, 0), (0.042, long), (0.026, long), (0.026, long - 0.1), (0, long - 0.1)]
-    barrel = placed([turned(tube)], LEFT, (0.0, 0, 0.13))
+    barrel = placed([turned(tube)], LEFTWARD, (0.0, 0, 0.13))
     barrel += [rod((0, 0, 0.035), (-long + 0.16, 0, 0.035), 0.036, rim=0.006)]
     barrel += [
         box((0.05, 0.1, 0.16), (-long + 0.2, 0, 0.085), 0.012),
@@ -300,7 +299,7 @@ def _trumpet(draw: Draw) -> Parts:
         (0.25, 0.58),
     ]
     inside = [(0.24, 0.6), (0.15, 0.57), (0.08, 0.48), (0.04, 0.34), (0.0, 0.3)]
-    bell = placed([turned([*flare, *inside])], LEFT, (-0.3, 0, rise))
+    bell = placed([turned([*flare, *inside])], LEFTWARD, (-0.3, 0, rise))
     r = 0.03
     loop = [(-0.3, 0, rise), (0.4, 0, rise), (0.53, 0, rise - 0.04), (0.58, 0, 0.06)]
     loop += [(0.53, 0, -0.11), (0.4, 0, -0.15), (0.1, 0, -0.15)]

@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.redrawn_vehicles import wheel
 from core.guidance.builtin.constructed.shapes import (
+    FORWARD,
     FRONT,
     SIDE,
     Parts,
@@ -26,8 +27,6 @@ from core.guidance.builtin.constructed.shapes import (
     turned,
 )
 
-# A solid of revolution that looks to the front: its heights go along -y.
-FORWARD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
 
 def _train(draw: Draw) -> Parts:

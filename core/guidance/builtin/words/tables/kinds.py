@@ -166,7 +166,6 @@ _ROWS = {
     "trash bag, garbage bag, bin bag, rubbish bag": "black",
     "plastic bag": "plastic",
     "paper bag": "paper",
-    "punching bag, boxing bag": "red",
     "pearl necklace": "ivory; beads: ivory",
     "lab coat, bathrobe": "white of fabric",
     "raincoat, rain boot, wellington, wellies, wellington boots, gumboots": "yellow of rubber",
