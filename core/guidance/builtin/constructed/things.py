@@ -2,57 +2,93 @@
 
 from collections.abc import Callable
 
-from core.guidance.builtin.constructed.bath_and_household import BATH_AND_HOUSEHOLD
-from core.guidance.builtin.constructed.charms_and_games import CHARMS_AND_GAMES
-from core.guidance.builtin.constructed.cooking import COOKING
-from core.guidance.builtin.constructed.desk_and_workshop import DESK_AND_WORKSHOP
-from core.guidance.builtin.constructed.desk_tools import DESK_TOOLS
 from core.guidance.builtin.constructed.draw import Draw
-from core.guidance.builtin.constructed.engines_of_war import ENGINES_OF_WAR
-from core.guidance.builtin.constructed.garden_and_leisure import GARDEN_AND_LEISURE
-from core.guidance.builtin.constructed.gym_and_crafts import GYM_AND_CRAFTS
-from core.guidance.builtin.constructed.laboratory import LABORATORY
-from core.guidance.builtin.constructed.monuments import MONUMENTS
-from core.guidance.builtin.constructed.odd_vehicles import ODD_VEHICLES
-from core.guidance.builtin.constructed.pets_and_smoking import PETS_AND_SMOKING
-from core.guidance.builtin.constructed.redrawn import REDRAWN
-from core.guidance.builtin.constructed.redrawn_arms import REDRAWN_ARMS
-from core.guidance.builtin.constructed.redrawn_buildings import REDRAWN_BUILDINGS
-from core.guidance.builtin.constructed.redrawn_rails_and_roads import REDRAWN_RAILS_AND_ROADS
-from core.guidance.builtin.constructed.redrawn_studio import REDRAWN_STUDIO
-from core.guidance.builtin.constructed.redrawn_vehicles import REDRAWN_VEHICLES
-from core.guidance.builtin.constructed.sewing_and_music import SEWING_AND_MUSIC
 from core.guidance.builtin.constructed.shapes import Parts, of_training_size
-from core.guidance.builtin.constructed.sights import SIGHTS
 from core.guidance.builtin.constructed.solid import ConstructedSolid, solid_of_parts
-from core.guidance.builtin.constructed.stage import STAGE
-from core.guidance.builtin.constructed.workshop import WORKSHOP
+from core.guidance.builtin.constructed.themes.aircraft_and_motorcycle import AIRCRAFT_AND_MOTORCYCLE
+from core.guidance.builtin.constructed.themes.arms import ARMS
+from core.guidance.builtin.constructed.themes.bath import BATH
+from core.guidance.builtin.constructed.themes.boats_and_cabins import BOATS_AND_CABINS
+from core.guidance.builtin.constructed.themes.brass import BRASS
+from core.guidance.builtin.constructed.themes.bridges_and_structures import BRIDGES_AND_STRUCTURES
+from core.guidance.builtin.constructed.themes.buildings import BUILDINGS
+from core.guidance.builtin.constructed.themes.carts_and_cannons import CARTS_AND_CANNONS
+from core.guidance.builtin.constructed.themes.charms_and_games import CHARMS_AND_GAMES
+from core.guidance.builtin.constructed.themes.cooking import COOKING
+from core.guidance.builtin.constructed.themes.desk_and_workshop import DESK_AND_WORKSHOP
+from core.guidance.builtin.constructed.themes.desk_machines import DESK_MACHINES
+from core.guidance.builtin.constructed.themes.desk_tools import DESK_TOOLS
+from core.guidance.builtin.constructed.themes.engines_of_war import ENGINES_OF_WAR
+from core.guidance.builtin.constructed.themes.film import FILM
+from core.guidance.builtin.constructed.themes.garden import GARDEN
+from core.guidance.builtin.constructed.themes.guitars import GUITARS
+from core.guidance.builtin.constructed.themes.gymnasium import GYMNASIUM
+from core.guidance.builtin.constructed.themes.household import HOUSEHOLD
+from core.guidance.builtin.constructed.themes.kitchen_tools import KITCHEN_TOOLS
+from core.guidance.builtin.constructed.themes.laboratory import LABORATORY
+from core.guidance.builtin.constructed.themes.monuments import MONUMENTS
+from core.guidance.builtin.constructed.themes.monuments_of_stone import MONUMENTS_OF_STONE
+from core.guidance.builtin.constructed.themes.music import MUSIC
+from core.guidance.builtin.constructed.themes.ninja_and_ropes import NINJA_AND_ROPES
+from core.guidance.builtin.constructed.themes.old_crafts import OLD_CRAFTS
+from core.guidance.builtin.constructed.themes.one_wheel_and_more import ONE_WHEEL_AND_MORE
+from core.guidance.builtin.constructed.themes.pets_and_terrace import PETS_AND_TERRACE
+from core.guidance.builtin.constructed.themes.playgrounds import PLAYGROUNDS
+from core.guidance.builtin.constructed.themes.rails_and_roads import RAILS_AND_ROADS
+from core.guidance.builtin.constructed.themes.redrawn import REDRAWN
+from core.guidance.builtin.constructed.themes.sewing import SEWING
+from core.guidance.builtin.constructed.themes.ships import SHIPS
+from core.guidance.builtin.constructed.themes.siege import SIEGE
+from core.guidance.builtin.constructed.themes.sights import SIGHTS
+from core.guidance.builtin.constructed.themes.smoking import SMOKING
+from core.guidance.builtin.constructed.themes.spacecraft import SPACECRAFT
+from core.guidance.builtin.constructed.themes.stage import STAGE
+from core.guidance.builtin.constructed.themes.treehouse_and_tank import TREEHOUSE_AND_TANK
+from core.guidance.builtin.constructed.themes.workshop import WORKSHOP
 from core.guidance.builtin.solid_net import SolidNet
 from core.guidance.builtin.words.phrases.slots import Words
 
 THINGS: dict[str, Callable[[Draw], Parts]] = {
-    **REDRAWN,
-    **REDRAWN_BUILDINGS,
-    **REDRAWN_STUDIO,
-    **REDRAWN_RAILS_AND_ROADS,
-    **REDRAWN_ARMS,
-    **REDRAWN_VEHICLES,
-    **SIGHTS,
-    **DESK_AND_WORKSHOP,
+    **BATH,
+    **HOUSEHOLD,
     **CHARMS_AND_GAMES,
     **COOKING,
-    **BATH_AND_HOUSEHOLD,
-    **GARDEN_AND_LEISURE,
-    **PETS_AND_SMOKING,
-    **LABORATORY,
+    **KITCHEN_TOOLS,
+    **DESK_AND_WORKSHOP,
     **DESK_TOOLS,
-    **WORKSHOP,
-    **STAGE,
-    **ODD_VEHICLES,
-    **GYM_AND_CRAFTS,
-    **SEWING_AND_MUSIC,
-    **MONUMENTS,
+    **SIEGE,
     **ENGINES_OF_WAR,
+    **PLAYGROUNDS,
+    **GARDEN,
+    **OLD_CRAFTS,
+    **NINJA_AND_ROPES,
+    **GYMNASIUM,
+    **LABORATORY,
+    **MONUMENTS,
+    **MONUMENTS_OF_STONE,
+    **BRIDGES_AND_STRUCTURES,
+    **ONE_WHEEL_AND_MORE,
+    **BOATS_AND_CABINS,
+    **SPACECRAFT,
+    **PETS_AND_TERRACE,
+    **SMOKING,
+    **REDRAWN,
+    **ARMS,
+    **BRASS,
+    **BUILDINGS,
+    **RAILS_AND_ROADS,
+    **TREEHOUSE_AND_TANK,
+    **GUITARS,
+    **DESK_MACHINES,
+    **SHIPS,
+    **CARTS_AND_CANNONS,
+    **AIRCRAFT_AND_MOTORCYCLE,
+    **MUSIC,
+    **SEWING,
+    **SIGHTS,
+    **FILM,
+    **STAGE,
+    **WORKSHOP,
 }
 
 

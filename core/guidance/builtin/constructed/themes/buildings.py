@@ -285,7 +285,7 @@ def _church(draw: Draw) -> Parts:
     return {"walls": [*walls, *tower], "roof": roof, "door": door}
 
 
-REDRAWN_BUILDINGS: dict[str, Callable[[Draw], Parts]] = {
+BUILDINGS: dict[str, Callable[[Draw], Parts]] = {
     "castle": _castle,
     "windmill": _windmill,
     "church": _church,

@@ -1,5 +1,7 @@
 """Landmarks, pools and webs."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
@@ -109,7 +111,7 @@ def _stonehenge(draw: Draw) -> Parts:
     return {"stones": stones, "grass": [rod((0, 0, -0.1), (0, 0, 0.01), 1.3, 1.24, 0.03)]}
 
 
-SIGHTS = {
+SIGHTS: dict[str, Callable[[Draw], Parts]] = {
     "swimming pool": _swimming_pool,
     "spider web": _spider_web,
     "eiffel tower": _eiffel_tower,
