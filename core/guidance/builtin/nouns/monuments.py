@@ -24,8 +24,8 @@ MONUMENTS: dict[str, Noun] = {
         Usual(189.0, STONE, 0.3),
         constructed=True,
     ),
-    "leaning tower of pisa": Noun(
-        "leaning tower, tower of pisa, pisa tower",
+    "leaning tower": Noun(
+        "leaning towers",
         {
             "tower": "*ece4d2 . stone",
             "galleries": "&d3c8b0 . stone",

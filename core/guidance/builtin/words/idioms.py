@@ -34,6 +34,7 @@ _IDIOMS = {
     r"boat with (?:(?:two|a pair of|wooden|long) )*(?:oars|paddles)": "rowboat",
     r"tank (?:of|with) (?:tropical )?fish(?:es)?": "fish tank",
     r"jelly ?beans": "pink eggs",
+    r"(?:leaning )?(?:tower of pisa|pisa tower)": "leaning tower",
     r"jack[- ]in[- ](?:the|a)[- ]box(?:es)?": "jackbox",
     r"box(?:es)? of (?:match(?:es|sticks))": "matchbox",
     r"(?:jolly roger|pirate) flag": "black flag with a white skull and crossbones",

@@ -189,7 +189,7 @@ def _windmill(draw: Draw) -> Parts:
     lattice += [
         box((0.3, 0.02, 0.018), (0.11, -0.01, z)) for z in np.linspace(0.26, 0.94, 8) * reach
     ]
-    cloth = [box((0.2, 0.016, 0.66 * reach), (0.13, 0.012, 0.6 * reach))]
+    cloth = [box((0.22, 0.016, 0.66 * reach), (0.12, 0.004, 0.6 * reach))]
     way = Rotation.from_euler("y", draw(10.0, 60.0), degrees=True).as_matrix()
     spars += placed(spun([*arm, *lattice], 4, "y"), way, hub)
     sails = placed(spun(cloth, 4, "y"), way, hub)

@@ -81,7 +81,7 @@ def _wagon(draw: Draw) -> Parts:
         capsule((-0.3, -long - 0.6, 0.44), (0.3, -long - 0.6, 0.44), 0.028),
     ]
     under += [box((2 * wide + 0.1, 0.26, 0.05), (0, -long + 0.06, floor + side + 0.02), 0.01)]
-    under += [rod((wide + 0.09, -0.2, floor - 0.05), (wide + 0.13, -0.32, floor + 0.42), 0.02)]
+    under += [rod((wide - 0.02, -0.2, floor - 0.02), (wide + 0.14, -0.34, floor + 0.42), 0.022)]
     return {
         "body": body,
         "wheels": both_sides(wheels),
@@ -106,7 +106,7 @@ def _cannon(draw: Draw) -> Parts:
     cross = [box((0.42, 0.09, 0.14), (0, y, z), 0.01) for y, z in ((0.62, 0.28), (1.1, 0.07))]
     cross += [box((0.44, 0.12, 0.1), (0, -0.18, 0.42), 0.01)]
     cross += [rod((-0.5, 0, 0.44), (0.5, 0, 0.44), 0.05)]
-    tail = ring(0.075, 0.024, (0, 1.28, 0.05), "x")
+    tail = ring(0.075, 0.024, (0, 1.2, 0.05), "x")
     return {
         "barrel": [*barrel, trunnions, tail],
         "carriage": [*sides, *cross],

@@ -110,7 +110,7 @@ def _eraser(draw: Draw) -> Parts:
         box((0.22, 0.03, 0.02), (-0.3, 0, 0.172)),
     ]
     crumbs = [
-        ball((0.05, 0.022, 0.022), (-0.78 + 0.06 * k, -0.1 + 0.09 * (k % 3), -0.14), (0, 0, 50 * k))
+        ball((0.05, 0.022, 0.022), (-0.72 + 0.01 * k, -0.13 + 0.09 * k, -0.13), (0, 0, 50 * k))
         for k in range(4)
     ]
     return {"body": pink, "ink end": blue, "stamp": stamp, "crumbs": crumbs}

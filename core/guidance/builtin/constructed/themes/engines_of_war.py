@@ -274,7 +274,7 @@ def _gun_turret(draw: Draw) -> Parts:
     tilt = Rotation.from_euler("x", -draw(4.0, 16.0), degrees=True).as_matrix()
     base = [
         rod((0, 0, 0), (0, 0, 0.12), 0.62, 0.58, 0.015),
-        rod((0, 0, 0.1), (0, 0, 0.3), 0.46, 0.38, 0.015),
+        rod((0, 0, 0.1), (0, 0, 0.35), 0.46, 0.38, 0.015),
     ]
     bolts = spun([rod((0, -0.53, 0.1), (0, -0.53, 0.15), 0.04, rim=0.008)], 12)
     plan = np.array(

@@ -141,7 +141,7 @@ def _weather_vane(draw: Draw) -> Parts:
     ]
     pole += [
         rod((-0.42, 0, 0.5), (0.42, 0, 0.5), 0.018),
-        rod((0, -0.42, 0.5), (0, 0.42, 0.5), 0.018),
+        rod((0, -0.47, 0.5), (0, 0.47, 0.5), 0.018),
     ]
     stroke = {
         "N": [((0, 0), (0, 1)), ((0, 1), (0.6, 0)), ((0.6, 0), (0.6, 1))],
@@ -306,7 +306,7 @@ def _pergola(draw: Draw) -> Parts:
         flowers.append(
             ball(
                 0.045,
-                (rng.uniform(0, wide), -deep - 0.1 + 0.3 * rng.uniform(), 1.52 if k % 2 else 1.5),
+                (rng.uniform(0, wide), -deep - 0.1 + 0.3 * rng.uniform(), 1.47),
             )
         )
     floor = [box((2 * wide + 0.4, 2 * deep + 0.4, 0.05), (0, 0, 0.0), 0.01)]

@@ -144,7 +144,7 @@ def _clothespin(draw: Draw) -> Parts:
     way = Rotation.from_euler("y", open_by, degrees=True).as_matrix()
     wood = both_sides(placed([plate(half, 0.2, (0, 0, 0), FRONT)], way, (-0.012, 0, 0)))
     wood += [rod((-0.05, 0, -0.06), (0.05, 0, -0.06), 0.07)]
-    coil = [ring(0.072, 0.022, (0, y, -0.06), "y") for y in (-0.1, -0.06, 0.06, 0.1)]
+    coil = [ring(0.072, 0.022, (0, y, -0.06), "y") for y in (-0.12, -0.09, 0.09, 0.12)]
     wire = [
         rod((0, -0.12, -0.06), (0, 0.12, -0.06), 0.03),
         *both_sides(
@@ -165,11 +165,11 @@ def _light_switch(draw: Draw) -> Parts:
     base = [box((0.7, 0.1, 1.1), (0, 0, 0), 0.04), box((0.6, 0.12, 1.0), (0, -0.004, 0), 0.05)]
     frame = [plate(rounded((0.36, 0.62), 0.04), 0.04, (0, -0.07, 0), FRONT)]
     rocker = [box((0.28, 0.1, 0.52), (0, -0.085, 0), 0.03, (on * 9, 0, 0))]
-    mark = [box((0.018, 0.03, 0.09), (0, -0.13 + on * 0.025, 0.16), 0.003)]
+    mark = [box((0.018, 0.03, 0.09), (0, -0.13 - on * 0.025, 0.16), 0.003)]
     screws = [rod((0, -0.05, z), (0, -0.075, z), 0.035, rim=0.006) for z in (-0.42, 0.42)] + [
         box((0.05, 0.012, 0.012), (0, -0.076, z), 0.0, (0, 30, 0)) for z in (-0.42, 0.42)
     ]
-    lamp = [ball((0.022, 0.02, 0.022), (0, -0.12 - on * 0.03, -0.18))]
+    lamp = [ball((0.022, 0.02, 0.022), (0, -0.133 + on * 0.027, -0.18))]
     return {
         "plate": base,
         "frame": frame,
@@ -252,7 +252,7 @@ def _dish_rack(draw: Draw) -> Parts:
     plates, trim = [], []
     for k in range(count):
         x = -0.56 + 0.17 * k
-        plates.append(rod((x, 0.0, 0.42), (x + 0.03, 0.0, 0.425), 0.31, rim=0.008))
+        plates.append(rod((x, 0.0, 0.41), (x + 0.03, 0.0, 0.415), 0.31, rim=0.008))
         trim.append(
             turned(
                 [(0.2, -0.018), (0.225, -0.018), (0.225, 0.022), (0.2, 0.022)],
@@ -267,6 +267,7 @@ def _dish_rack(draw: Draw) -> Parts:
         ),
     ]
     tray = [box((1.6, 1.0, 0.05), (0, 0, 0.0), 0.02)]
+    wire.append(rod((-0.7, 0, 0.12), (0.7, 0, 0.12), 0.0125))
     return {"rack": wire, "plates": plates, "trim": trim, "mug": mug, "tray": tray}
 
 

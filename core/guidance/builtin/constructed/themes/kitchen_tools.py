@@ -194,8 +194,8 @@ def _egg_cup(draw: Draw) -> Parts:
         (0.26, high + 0.1),
         (0.3, high + 0.3),
         (0.27, high + 0.3),
-        (0.22, high + 0.12),
-        (0, high + 0.04),
+        (0.25, high + 0.2),
+        (0, high + 0.2),
     ]
     egg = curve(
         [

@@ -37,7 +37,7 @@ def _atom(draw: Draw) -> Parts:
         ),
     ]
     for k, at in enumerate(places):
-        (red if k % 2 else blue).append(ball(0.105, tuple(at)))
+        (red if k % 2 else blue).append(ball(0.105 if k else 0.15, tuple(at)))
     orbits, electrons = [], []
     for tilt in (0.0, 60.0, 120.0):
         way = Rotation.from_euler("y", tilt, degrees=True).as_matrix()
@@ -229,7 +229,7 @@ def _petri_dish(draw: Draw) -> Parts:
     lid = placed(
         [turned([(0, 0), (0.66, 0), (0.66, 0.12), (0.63, 0.12), (0.63, 0.035), (0, 0.035)])],
         Rotation.from_euler("x", 62, degrees=True).as_matrix(),
-        (0.1, 0.66, 0.52),
+        (0.1, 0.66, 0.59),
     )
     return {"dish": [*dish, *lid], "gel": gel, "colonies": spots, "mould": green}
 
@@ -309,15 +309,15 @@ def _galaxy(draw: Draw) -> Parts:
     core = [ball((0.24, 0.24, 0.12)), ball((0.34, 0.34, 0.06))]
     arms, dust, stars = [], [], []
     for k in range(2):
-        t = np.linspace(0.0, 2 * np.pi * 0.95, 22)
+        t = np.linspace(0.0, 2 * np.pi * 0.95, 36)
         r = 0.2 + 0.13 * t
         for j, (a, d) in enumerate(zip(t + np.pi * k, r, strict=True)):
-            wide = 0.13 * (1 - 0.55 * j / 22)
+            wide = 0.13 * (1 - 0.55 * j / 36)
             at = np.array([d * np.cos(a), d * np.sin(a), 0])
             arms.append(
-                ball((1.25 * wide, 0.9 * wide, 0.045), tuple(at), (0, 0, np.degrees(a) + 90))
+                ball((1.8 * wide, 0.9 * wide, 0.045), tuple(at), (0, 0, np.degrees(a) + 90))
             )
-            inner = 0.88 * at
+            inner = 0.94 * at
             dust.append(
                 ball(
                     (0.8 * wide, 0.5 * wide, 0.04),

@@ -121,7 +121,7 @@ def _statue_of_liberty(draw: Draw) -> Parts:
         ),
         ball(0.045, (0.15, -0.14, foot + 0.54)),
     ]
-    body += [box((0.15, 0.05, 0.25), (0.17, -0.13, foot + 0.63), 0.008, (-18, 0, -18))]
+    body += [box((0.15, 0.06, 0.25), (0.17, -0.135, foot + 0.64), 0.008, (-18, 0, -18))]
     hand = (-0.17, -0.02, foot + 1.28)
     cup = [
         (0, -0.04),
@@ -339,6 +339,6 @@ def _taj_mahal(draw: Draw) -> Parts:
 MONUMENTS: dict[str, Callable[[Draw], Parts]] = {
     "statue of liberty": _statue_of_liberty,
     "colosseum": _colosseum,
-    "leaning tower of pisa": _leaning_tower,
+    "leaning tower": _leaning_tower,
     "taj mahal": _taj_mahal,
 }

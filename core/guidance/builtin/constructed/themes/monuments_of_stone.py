@@ -64,7 +64,7 @@ def _big_ben(draw: Draw) -> Parts:
     roof = [
         plate(square * (0.21 - 0.011 * k), 0.032, (0, 0, top + 0.012 + 0.03 * k)) for k in range(9)
     ]
-    mid = top + 0.28
+    mid = top + 0.26
     roof += [box((0.22, 0.22, 0.1), (0, 0, mid + 0.04), 0.006)]
     roof += [
         plate(square * (0.115 - 0.0105 * k), 0.038, (0, 0, mid + 0.1 + 0.036 * k))

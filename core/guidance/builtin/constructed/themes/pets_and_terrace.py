@@ -39,12 +39,12 @@ def _cat_tree(draw: Draw) -> Parts:
     carpet += [
         turned(
             [(0, 0), (0.28, 0), (0.32, 0.12), (0.28, 0.13), (0.24, 0.07), (0, 0.06)],
-            (0, 0.24, tall),
+            (0, 0.24, tall - 0.03),
         )
     ]
     house = [box((0.5, 0.44, 0.42), (0.22, 0.14, 0.28), 0.04)]
     door = [rod((0.22, -0.075, 0.28), (0.22, -0.095, 0.28), 0.13)]
-    ears = both_sides([rod((0.16, 0.24, tall + 0.09), (0.23, 0.22, tall + 0.3), 0.09, 0.012)])
+    ears = both_sides([rod((0.19, 0.24, tall + 0.0), (0.25, 0.22, tall + 0.28), 0.1, 0.012)])
     toys += [
         rod((-0.48, -0.3, 0.57), (-0.48, -0.3, 0.38), 0.012),
         ball(0.055, (-0.48, -0.3, 0.36)),
@@ -158,7 +158,7 @@ def _deck_chair(draw: Draw) -> Parts:
         [
             rod((0.34, 0.52, 0.04), (0.34, -0.62, 0.42), 0.03),
             rod((0.3, -0.5, 0.04), (0.3, 0.66, lean), 0.03),
-            rod((0.37, 0.16, 0.2), (0.37, 0.52, 0.62), 0.024),
+            rod((0.345, 0.16, 0.165), (0.325, 0.44, 0.04 + 0.81 * (lean - 0.04)), 0.026),
         ]
     )
     frame += [
@@ -168,8 +168,8 @@ def _deck_chair(draw: Draw) -> Parts:
             (-0.62, 0.42),
             (-0.5, 0.05),
             (0.66, lean),
-            (0.52, 0.62),
-            (0.1, 0.21),
+            (0.44, 0.04 + 0.81 * (lean - 0.04)),
+            (0.16, 0.17),
         )
     ]
     sag = np.array(
@@ -179,10 +179,11 @@ def _deck_chair(draw: Draw) -> Parts:
         [np.interp(np.linspace(0, 5, 26), np.arange(6), sag[:, k]) for k in (0, 1)]
     ).T
     smooth = np.array([from_curve[max(k - 2, 0) : k + 3].mean(0) for k in range(26)])
+    smooth[0], smooth[-1] = sag[0], sag[-1]
     sheet = [*smooth, *(smooth - (0, 0.03))[::-1]]
     white, blue = [], []
     for k, x in enumerate(np.linspace(-0.24, 0.24, 7)):
-        (blue if k % 2 else white).append(plate(sheet, 0.082, (x, 0, 0), SIDE))
+        (blue if k % 2 else white).append(plate(sheet, 0.088, (x, 0, 0.006 * (k % 2)), SIDE))
     return {"cloth": white, "stripes": blue, "frame": frame}
 
 

@@ -223,13 +223,13 @@ def _hot_tub(draw: Draw) -> Parts:
         turned([(r - 0.02, z), (r + 0.042, z), (r + 0.042, z + 0.035), (r - 0.02, z + 0.035)])
         for z in (0.08, high - 0.13)
     ]
-    water = [rod((0, 0, 0.2), (0, 0, high - 0.03), 0.61)]
+    water = [rod((0, 0, 0.2), (0, 0, high - 0.055), 0.626)]
     rng = np.random.default_rng(draw.which(100))
     bubbles = []
     for _ in range(34):
         a, d = rng.uniform(0, 2 * np.pi), 0.5 * np.sqrt(rng.uniform())
         bubbles.append(
-            ball(float(rng.uniform(0.024, 0.05)), (d * np.cos(a), d * np.sin(a), high - 0.03))
+            ball(float(rng.uniform(0.024, 0.05)), (d * np.cos(a), d * np.sin(a), high - 0.055))
         )
     steps = [
         box((0.6, 0.24, 0.16), (0, -r - 0.28, 0.08), 0.015),

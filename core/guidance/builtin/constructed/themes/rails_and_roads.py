@@ -272,7 +272,7 @@ def _baby_stroller(draw: Draw) -> Parts:
     hood = []
     for k in range(5):
         a, b = (np.radians(24 + 24 * n + tilt) for n in (k, k + 1))
-        angles = np.linspace(a, b, 5)
+        angles = np.linspace(a - 0.03, b + 0.03, 5)
         r = 0.5
         fan = [(r * np.cos(x), r * np.sin(x)) for x in angles]
         fan += [((r - 0.035) * np.cos(x), (r - 0.035) * np.sin(x)) for x in angles[::-1]]

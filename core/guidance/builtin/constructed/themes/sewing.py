@@ -62,7 +62,7 @@ def _spool_of_thread(draw: Draw) -> Parts:
 
 def _ball_of_yarn(draw: Draw) -> Parts:
     rng = np.random.default_rng(draw.which(1000))
-    yarn = [ball(0.58)]
+    yarn = [ball(0.605)]
     for k in range(9):
         axis = rng.normal(size=3)
         axis /= np.linalg.norm(axis)
@@ -82,7 +82,7 @@ def _ball_of_yarn(draw: Draw) -> Parts:
     yarn += [
         pipe(
             [
-                (0.45, -0.3, -0.4),
+                (0.34, -0.26, -0.34),
                 (0.66, -0.4, -0.56),
                 (0.95, -0.3, -0.59),
                 (1.15, -0.5, -0.59),

@@ -166,9 +166,9 @@ def _longship(draw: Draw) -> Parts:
     ]
     prows += [
         plate(head, 0.07, (0, 0, 0), SIDE),
-        plate([(-1.0, 0.32), (-1.12, 0.29), (-1.02, 0.27)], 0.045, (0, 0, 0), SIDE),
+        plate([(-0.97, 0.36), (-1.12, 0.28), (-1.0, 0.26)], 0.045, (0, 0, 0), SIDE),
     ]
-    prows += both_sides([rod((0.02, -0.94, 0.43), (0.05, -0.86, 0.53), 0.022, 0.006)])
+    prows += both_sides([rod((0.02, -0.96, 0.4), (0.05, -0.86, 0.53), 0.026, 0.006)])
     spiral = [(0.9, 0.32), (0.82, 0.36), (0.8, 0.44), (0.86, 0.49), (0.92, 0.45)]
     prows.append(pipe([(0, y, z) for y, z in spiral], (0.034, 0.032, 0.03, 0.026, 0.02)))
     fins = [(-0.97, 0.02), (-0.98, 0.12), (-0.94, 0.22)]
@@ -183,7 +183,7 @@ def _longship(draw: Draw) -> Parts:
     oars = []
     for y in np.linspace(-0.42, 0.46, 6):
         oars.append(rod((0.8 * wide, y, -0.06), (wide + 0.34, y + 0.05, -0.44), 0.012))
-        oars.append(box((0.02, 0.06, 0.13), (wide + 0.35, y + 0.05, -0.46), 0.006, (0, 50, 0)))
+        oars.append(box((0.02, 0.06, 0.13), (wide + 0.34, y + 0.05, -0.44), 0.006, (0, -42, 0)))
     sail, stripes = [], []
     for k in range(6):
         x = (k - 2.5) * 0.14
@@ -192,7 +192,7 @@ def _longship(draw: Draw) -> Parts:
     for k, y in enumerate(np.linspace(-0.52, 0.52, count)):
         side = wide * (1.02 - 0.42 * abs(y / 0.6) ** 2.4)
         shields += [
-            rod((side - 0.03, y, -0.1), (side + 0.03, y, -0.1), 0.068, rim=0.01),
+            rod((side - 0.06, y, -0.1), (side + 0.03, y, -0.1), 0.068, rim=0.01),
             ball(0.026, (side + 0.03, y, -0.1)),
         ]
     return {

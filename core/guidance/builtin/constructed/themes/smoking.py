@@ -66,7 +66,7 @@ def _hookah(draw: Draw) -> Parts:
     coals = [
         ball((0.045, 0.045, 0.035), (0.055 * np.cos(a), 0.055 * np.sin(a), 1.745))
         for a in np.arange(3) * 2.1
-    ] + [rod((0, 0, 1.69), (0, 0, 1.72), 0.1)]
+    ] + [rod((0, 0, 1.65), (0, 0, 1.72), 0.108)]
     tubes, tips = [], []
     for s in (1, -1)[:hoses]:
         way = [
@@ -177,7 +177,7 @@ def _lighter(draw: Draw) -> Parts:
     way = Rotation.from_euler("y", tilt, degrees=True).as_matrix()
     hinge = (0.29, 0, 0.72)
     lids = placed(moved(lid, (-0.29, 0, 0.0)), way, hinge)
-    lids += [rod((0.28, -0.08, 0.715), (0.28, 0.08, 0.715), 0.03)]
+    lids += [box((0.12, 0.17, 0.1), (0.27, 0, 0.7), 0.02)]
     chimney = [
         plate(rounded((0.36, 0.17), 0.07), 0.26, (-0.05, 0, 0.8)),
     ]

@@ -324,10 +324,10 @@ def _portal(draw: Draw) -> Parts:
             way,
         )
     glow = [
-        ring(0.79, 0.035, (0, -0.06, 0), "y"),
+        ring(0.79, 0.035, (0, -0.04, 0), "y"),
         *placed(spun([ball((0.045, 0.03, 0.06), (0, -0.155, 0.92))], count // 2, "y"), np.eye(3)),
     ]
-    swirl = [rod((0, -0.02, 0), (0, 0.02, 0), 0.8)]
+    swirl = [rod((0, -0.03, 0), (0, 0.024, 0), 0.87)]
     arms = []
     for k in range(5):
         t = np.linspace(0.1, 3.6, 14)
