@@ -65,8 +65,8 @@ BY_PATTERN = {"grain": "wooden", "bricks": "masonry", "thatch": "thatch"}
 OF_A_THING = {
     "bark": "chameleon branch, acorn cap, sloth branch, fireplace logs",
     "bone": (
-        "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones, werewolf claws, "
-        "velociraptor claws, brachiosaurus nails, mammoth nails"
+        "egg shell, nest eggs, feather shaft, sloth claws, roast chicken bones, werewolf "
+        "claws, velociraptor claws, brachiosaurus nails, mammoth nails, egg cup egg"
     ),
     "cast iron": "bench legs, bomb body, steamroller chimney",
     "ceramic": (
@@ -75,39 +75,51 @@ OF_A_THING = {
     ),
     "chitin": (
         "crab claws, scorpion claws, spider legs, bee stripes, snail shell, turtle shell, "
-        "dragonfly stripes, toucan tip"
+        "dragonfly stripes, toucan tip, bird feeder beak, bird bath beak, fly swatter fly"
     ),
     "brick": "brick block brick, brick block holes",
-    "clay": "hut walls, snowman buttons, greenhouse pots",
+    "clay": ("hut walls, snowman buttons, greenhouse pots, space capsule heat shield"),
     "cream": (
-        "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man eyes, "
-        "gingerbread man bow, donut sprinkles, donut strands, donut drops, snow globe snow, snow "
-        "globe flakes, candy cane stripes, scroll seal, envelope seal"
+        "sushi fish, popsicle top, ramen whites, gingerbread man buttons, gingerbread man "
+        "eyes, gingerbread man bow, donut sprinkles, donut strands, donut drops, snow globe "
+        "snow, snow globe flakes, candy cane stripes, scroll seal, envelope seal, soap bar, "
+        "soap stamp"
     ),
-    "crumb": "notice board cork",
+    "crumb": ("notice board cork, cake stand cake"),
     "crust": (
-        "croissant folds, muffin top, burrito toast, fried egg edge, roast chicken meat, roast "
-        "chicken drumsticks"
+        "croissant folds, muffin top, burrito toast, fried egg edge, roast chicken meat, "
+        "roast chicken drumsticks, waffle maker waffle"
     ),
     "eye": "fish whites, pufferfish whites, cyclops whites, cyclops iris",
-    "fabric": ("glove band, baseball cap badge, hot air balloon balloon, paper lantern tassels"),
+    "fabric": (
+        "glove band, baseball cap badge, hot air balloon balloon, paper lantern tassels, director chair "
+        "star, ping pong table tape"
+    ),
     "feathers": (
         "rooster neck, peacock eyes, angel wings, feather vane, feather tip, griffin wings, "
-        "birdcage bird, pegasus wings"
+        "birdcage bird, pegasus wings, feather duster plumes, bird feeder bird, bird bath "
+        "bird"
     ),
-    "felt": "cowboy hat, dartboard reds, dartboard greens, elf shoes, snowman hat",
-    "flame": "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth",
+    "felt": (
+        "cowboy hat, dartboard reds, dartboard greens, elf shoes, snowman hat, cat tree toys,"
+        " cat tree opening, boxing ring logo"
+    ),
+    "flame": (
+        "jack-o-lantern eyes, jack-o-lantern nose, jack-o-lantern mouth, comet tail, bunsen "
+        "burner core"
+    ),
     "flesh": (
         "kiwi middle, grill food, salad onion, salad cucumber, mushroom stem, mushroom house stem"
     ),
     "foliage": (
         "willow tree leaves, willow tree strands, tree leaves, oak tree leaves, bush leaves, "
-        "bonsai leaves, treehouse leaves, christmas tree leaves"
+        "bonsai leaves, treehouse leaves, christmas tree leaves, hedge maze hedges"
     ),
     "fur": (
-        "monster fur, monster paws, raccoon mask, viking fur, griffin body, griffin tuft, minotaur "
-        "fur, sloth marks, tiger stripes, zebra stripes, raccoon stripes, skunk stripe, werewolf "
-        "fur, werewolf muzzle, otter feet"
+        "monster fur, monster paws, raccoon mask, viking fur, griffin body, griffin tuft, "
+        "minotaur fur, sloth marks, tiger stripes, zebra stripes, raccoon stripes, skunk "
+        "stripe, werewolf fur, werewolf muzzle, otter feet, hamster wheel hamster, hamster "
+        "wheel belly"
     ),
     "glass": (
         "traffic light reds, traffic light greens, traffic light yellows, satellite panels, rover "
@@ -115,55 +127,66 @@ OF_A_THING = {
     ),
     "hair": "paintbrush bristles",
     "hide": (
-        "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs, bat "
-        "wings, goose feet, rooster legs, pterodactyl wings, pterodactyl crest, mammoth ears, "
-        "dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, beaver lines, "
-        "bat arms, eagle legs, gorilla face, drum kit skins, penguin feet"
+        "drum skin, banjo skin, pig snout, cow udder, chicken legs, bird legs, flamingo legs,"
+        " bat wings, goose feet, rooster legs, pterodactyl wings, pterodactyl crest, mammoth "
+        "ears, dragon wings, demon wings, swan face, camel humps, sheep head, beaver tail, "
+        "beaver lines, bat arms, eagle legs, gorilla face, drum kit skins, penguin feet, "
+        "bongos skins"
     ),
     "leaf": (
-        "chili pepper cap, palm nuts, island grass, stonehenge grass, eggplant cap, wreath leaves, "
-        "wreath tips"
+        "chili pepper cap, palm nuts, island grass, stonehenge grass, eggplant cap, wreath "
+        "leaves, wreath tips, mortar and pestle herbs, stadium pitch"
     ),
     "leather": (
         "handbag handle, sneaker stripes, cowboy hat band, book cover, accordion folds, "
         "chestplate lining, belt holes, suitcase handle"
     ),
-    "liquid": "teacup tea, wine glass liquid, toxic barrel goo",
+    "liquid": (
+        "teacup tea, wine glass liquid, toxic barrel goo, french press coffee, hot tub bubbles"
+    ),
     "masonry": "igloo arch",
     "metal": (
-        "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking "
-        "meter needle, screwdriver collar, blender collar, coffee machine collar, ninja sword, "
-        "harp strings, magnet bands, stove plates, compass tail, alarm clock hands, pocket watch "
-        "hands, radio handle, toolbox handle, wagon handle, suitcase feet, clock feet, safe feet, "
-        "floor lamp foot, golf club neck, rover mast, vending machine cans, vending machine flap, "
-        "solar panel lines, trumpet buttons, parking meter slot, microscope stage, train wheels, "
-        "tank wheels"
+        "watch hands, clock hands, grandfather clock hands, compass needle, fan cage, parking"
+        " meter needle, screwdriver collar, blender collar, coffee machine collar, ninja "
+        "sword, harp strings, magnet bands, stove plates, compass tail, alarm clock hands, "
+        "pocket watch hands, radio handle, toolbox handle, wagon handle, suitcase feet, clock"
+        " feet, safe feet, floor lamp foot, golf club neck, rover mast, vending machine cans,"
+        " vending machine flap, solar panel lines, trumpet buttons, parking meter slot, "
+        "microscope stage, train wheels, tank wheels, cello strings, big ben hands, kitchen "
+        "scale pointer"
     ),
     "paint": (
-        "sarcophagus eyes, fence pickets, mailbox flag, tower windows, castle windows, pencil "
-        "body, knight shield, mask paint, mask mouth, shield plate, train frame, kettlebell badge, "
-        "rocket nose, space shuttle nose, carousel trim"
+        "sarcophagus eyes, fence pickets, mailbox flag, tower windows, castle windows, pencil"
+        " body, knight shield, mask paint, mask mouth, shield plate, train frame, kettlebell "
+        "badge, rocket nose, space shuttle nose, carousel trim, suspension bridge lines, "
+        "stadium lines, oil rig pad, oil rig markings, ping pong table lines, foosball table "
+        "lines, spirit level lines"
     ),
     "paper": (
-        "notebook cover, notebook pages, engine filter, muffin cup, dynamite sticks, dynamite "
-        "ends, garlic neck, watch face, clock face, grandfather clock face, compass dial, picture "
-        "frame hills, picture frame sun, paper cup badge, popcorn badge, cupcake cup, popcorn box, "
-        "easel hills, easel sun, milk carton top, chocolate bar wrapper, paper cup sleeve, "
-        "clipboard lines, clipboard boxes, notice board notes, notice board cards, atm notes, "
-        "alarm clock face, pocket watch face, gift box, envelope flap, popcorn stripes, target "
-        "board, target blacks, target blues, target reds, target golds, whiteboard notes, floppy "
-        "disk stripe, pizza box box, pizza box salami, pizza box cheese, cereal box box, wanted "
-        "poster hat"
+        "notebook cover, notebook pages, engine filter, muffin cup, dynamite sticks, dynamite"
+        " ends, garlic neck, watch face, clock face, grandfather clock face, compass dial, "
+        "picture frame hills, picture frame sun, paper cup badge, popcorn badge, cupcake cup,"
+        " popcorn box, easel hills, easel sun, milk carton top, chocolate bar wrapper, paper "
+        "cup sleeve, clipboard lines, clipboard boxes, notice board notes, notice board "
+        "cards, atm notes, alarm clock face, pocket watch face, gift box, envelope flap, "
+        "popcorn stripes, target board, target blacks, target blues, target reds, target "
+        "golds, whiteboard notes, floppy disk stripe, pizza box box, pizza box salami, pizza "
+        "box cheese, cereal box box, wanted poster hat, ashtray cigarettes, ashtray filters, "
+        "matchbox striker, matchbox emblem, matchbox tray, cigar band, kitchen scale face, "
+        "lectern papers, metronome scale, time machine dials, film reel frames"
     ),
     "peel": (
         "kiwi skin, muffin berries, snowman nose, avocado skin, mushroom cap, roast chicken "
-        "tomatoes, wreath berries, jack-o-lantern body, mushroom house cap, mushroom house dots, "
-        "cucumber stripes, watermelon stripes, hamster seed"
+        "tomatoes, wreath berries, jack-o-lantern body, mushroom house cap, mushroom house "
+        "dots, cucumber stripes, watermelon stripes, hamster seed, cake stand berries"
     ),
-    "petal": "fairy wings",
+    "petal": ("fairy wings, pergola flowers"),
     "plain": (
-        "hut windows, pen hole, guitar hole, ukulele hole, violin holes, pencil lead, birdhouse "
-        "hole, grater holes, grater slits, flute hole, harmonica holes"
+        "hut windows, pen hole, guitar hole, ukulele hole, violin holes, pencil lead, "
+        "birdhouse hole, grater holes, grater slits, flute hole, harmonica holes, lighter "
+        "holes, power outlet slots, smoke detector slots, bunsen burner holes, pencil "
+        "sharpener hole, usb stick holes, spool of thread hole, cello sound holes, leaning "
+        "tower openings, taj mahal openings"
     ),
     "plastic": (
         "duck body, duck wings, duck bill, toothbrush grip, vacuum cleaner grip, security camera "
@@ -180,21 +203,31 @@ OF_A_THING = {
     ),
     "scales": "lizard feet, chameleon eyes, chameleon stripes, velociraptor stripes",
     "skin": (
-        "turkey head, turkey wattle, troll nose, monkey face, demon mouth, zombie mouth, person "
-        "mouth, yeti face, mouse tail, mouse ears, bat ears, minotaur body, caterpillar feet, "
-        "mouse feet, hedgehog feet, hamster feet"
+        "turkey head, turkey wattle, troll nose, monkey face, demon mouth, zombie mouth, "
+        "person mouth, yeti face, mouse tail, mouse ears, bat ears, minotaur body, "
+        "caterpillar feet, mouse feet, hedgehog feet, hamster feet, hamster wheel paws, "
+        "jackbox face"
     ),
     "soil": "dump truck load",
     "wet skin": (
         "cyclops mouth, monster mouth, axolotl mouth, axolotl cheeks, mimic mouth, slime mouth, "
         "brain folds, yeti mouth, brain stem"
     ),
-    "wicker": "crossbow string, bow string, barn hay, hay bale stalks, beehive knob",
-    "wooden": (
-        "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, barn "
-        "trim, log cabin roof, whistle pea, raft ends, treehouse roof, spinning top stem, pirate "
-        "ship masts, pawn base, pawn collar"
+    "wicker": (
+        "crossbow string, bow string, barn hay, hay bale stalks, beehive knob, clothesline "
+        "lines, wind chime strings"
     ),
+    "wooden": (
+        "pickaxe grip, window sill, rolling pin collars, potion cork, well roof, barn walls, "
+        "barn trim, log cabin roof, whistle pea, raft ends, treehouse roof, spinning top "
+        "stem, pirate ship masts, pawn base, pawn collar, ball of yarn knobs"
+    ),
+    "embers": (
+        "hookah coals, cigar ember, solar system sun, galaxy core, galaxy stars, portal "
+        "swirl, portal glow, time machine glow, forge coals, theatre stage footlights"
+    ),
+    "sand": ("colosseum arena, hedge maze path"),
+    "concrete": ("suspension bridge road, tower bridge deck"),
 }
 # A part of any thing.
 OF_A_PART = {
@@ -320,6 +353,13 @@ OF_A_GROUP = {
     "Small Things": "plastic",
     "Flags and Signs": "paint",
     "Plants": "leaf",
+    "Kitchen and Bath": "plastic",
+    "Garden and Leisure": "plastic",
+    "Laboratory and Workshop": "plastic",
+    "Stage and Studio": "plastic",
+    "Odd Vehicles and Games": "plastic",
+    "Engines of War": "wooden",
+    "Monuments": "stone",
 }
 
 # Transmitted fraction of the light for parts of glass by nature that one looks through. All other
@@ -328,7 +368,8 @@ OF_A_GROUP = {
 CLEAR = {
     0.95: (
         "flask glass, flask rim, magnifying glass glass, salt shaker body, salt shaker base, "
-        "chandelier drops, sundae glass, bottle body, potion flask, potion rim, wine glass bowl, "
+        "beaker glass, petri dish dish, chandelier drops, sundae glass, bottle body, potion flask, "
+        "potion rim, wine glass bowl, "
         "wine glass stem, wine glass foot, blender jug, gem stone, ring gem, necklace stone, "
         "perfume bottle"
     ),
@@ -338,7 +379,7 @@ CLEAR = {
     ),
     0.6: (
         "crystal ball ball, wine glass liquid, hourglass glass, staff crystal, crown gems, ufo "
-        "dome, coffee machine jug, snowmobile windshield"
+        "dome, coffee machine jug, snowmobile windshield, prism glass"
     ),
     0.4: "fountain water, bathtub water, well water, sunglasses glasses",
     0.2: "light bulb bulb, lantern glass, street lamp lamp",
@@ -350,12 +391,13 @@ GLOW = {
     0.6: (
         "ray gun tip, brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, "
         "jack-o-lantern mouth, computer tower lights, sci-fi crate lights, sci-fi door lights, "
-        "landmine light"
+        "landmine light, forge embers, portal glow, time machine glow, atom electrons, lava lamp lava"
     ),
     0.4: (
         "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens, "
         "lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
-        "lights, server rack lamps, wall sconce bulb, pendant lamp bulb, toxic barrel goo"
+        "lights, spotlight lens, theatre stage footlights, portal swirl, segway lamps, "
+        "hoverboard lamps, gun turret lamps, server rack lamps, wall sconce bulb, pendant lamp bulb, toxic barrel goo"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "

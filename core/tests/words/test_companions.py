@@ -176,7 +176,7 @@ def test_four_go_with_it_at_most_and_the_rest_is_left_out(prompt, others):
         'a sign that says "CAT ON A CHAIR"',
         "a horse wearing a saddle",
         "a chair in red",
-        "a clown riding a unicycle juggling balls",
+        "a clown riding a zorb juggling balls",
     ],
 )
 def test_one_thing_is_made_as_ever(prompt):

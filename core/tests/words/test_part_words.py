@@ -25,5 +25,5 @@ def test_words_of_a_part_are_the_look_of_the_whole(words: str, prompt: str):
 
 
 def test_of_an_unknown_whole_the_words_stay():
-    assert of_whole("red velvet", "a steampunk barometer") == "red velvet"
+    assert of_whole("red velvet", "a steampunk astrolabe") == "red velvet"
     assert of_whole("red velvet", "") == "red velvet"

@@ -29,7 +29,7 @@ def test_every_noun_has_one_group_and_every_material_its_density():
         ("a tall stone house without a chimney", 8.0),
         ("a grey rock", 1.2),
         ("two nouns: a chair or a car", UNKNOWN.size_m),
-        ("a steampunk barometer", UNKNOWN.size_m),
+        ("a steampunk astrolabe", UNKNOWN.size_m),
     ],
 )
 def test_a_prompt_has_the_usual_size_of_its_thing(prompt, size_m):

@@ -28,7 +28,7 @@ COOKING_AND_BATH: dict[str, Noun] = {
     ),
     "bottle opener": Noun(
         "beer opener, bottle openers",
-        {"metal": "-aeb4ba . metal", "grip": "*a8432c . wooden", "rivets": "-c79a3e . golden"},
+        {"opener": "-aeb4ba . metal", "grip": "*a8432c . wooden", "rivets": "-c79a3e . golden"},
         Usual(0.15, STEEL),
         constructed=True,
     ),

@@ -92,7 +92,7 @@ ENGINES_OF_WAR: dict[str, Noun] = {
     ),
     "stocks": Noun(
         "pillory, medieval stocks",
-        {"boards": "*9c6f3e grain", "posts": "&6b4a2c wooden", "iron": "-3f4247 . metal"},
+        {"boards": "*9c6f3e grain", "posts": "&6b4a2c grain", "iron": "-3f4247 . metal"},
         Usual(1.7, WOOD, 0.9),
         constructed=True,
     ),
@@ -108,7 +108,7 @@ ENGINES_OF_WAR: dict[str, Noun] = {
         constructed=True,
     ),
     "gun turret": Noun(
-        "turret, gun turrets, sentry gun, auto turret, sentry turret, defense turret; laser turret, cannon turret, anti aircraft gun",
+        "gun turrets, sentry gun, auto turret, sentry turret, defense turret; laser turret, cannon turret, anti aircraft gun",
         {
             "armour": "*6b7480 . paint",
             "guns": "-3a3d42 . metal",

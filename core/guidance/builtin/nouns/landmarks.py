@@ -17,7 +17,7 @@ LANDMARKS = {
         constructed=True,
     ),
     "tower": Noun(
-        "castle tower, watchtower",
+        "castle tower, watchtower; turret",
         {
             "walls": "*a29c90 bricks stone",
             "door": "+5d3a1f",

@@ -81,7 +81,7 @@ MONUMENTS: dict[str, Noun] = {
             "lines": "-f0d24a",
             "piers": "-9a968c . stone",
         },
-        Usual(400.0, STEEL, 0.05),
+        Usual(300.0, STEEL, 0.05),
         constructed=True,
     ),
     "tower bridge": Noun(

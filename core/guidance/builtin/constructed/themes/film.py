@@ -227,7 +227,7 @@ def _palette(draw: Draw) -> Parts:
             ],
         )
     ]
-    found = {name: [] for name in ("red", "yellow", "blue", "green", "white")}
+    found = {f"{name} paint": [] for name in ("first", "second", "third", "fourth", "fifth")}
     places = [(-0.58, 0.12), (-0.44, 0.38), (-0.12, 0.48), (0.22, 0.44), (0.54, 0.3)]
     for name, (x, z) in zip(found, places, strict=True):
         r = draw(0.1, 0.125)
@@ -240,7 +240,7 @@ def _palette(draw: Draw) -> Parts:
         rod((0.1, -0.06, -0.52), (0.5, -0.07, 0.16), 0.026, 0.034),
         capsule((-0.1, -0.055, -0.86), (0.1, -0.06, -0.52), 0.016, 0.026),
     ]
-    found["blue"] += [capsule((0.55, -0.07, 0.24), (0.6, -0.07, 0.34), 0.045, 0.012)]
+    found["third paint"] += [capsule((0.55, -0.07, 0.24), (0.6, -0.07, 0.34), 0.045, 0.012)]
     ferrule = [rod((0.48, -0.07, 0.13), (0.56, -0.07, 0.26), 0.042)]
     return {"board": wood, "brush": [*brush, *ferrule], **found}
 

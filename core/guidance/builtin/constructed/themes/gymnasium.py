@@ -96,9 +96,9 @@ def _boxing_ring(draw: Draw) -> Parts:
         "base": [*base, *posts, *steps],
         "mat": mat,
         "apron": apron,
-        "red ropes": red,
-        "white ropes": white,
-        "blue ropes": blue,
+        "lower ropes": red,
+        "middle ropes": white,
+        "upper ropes": blue,
         "logo": disc,
     }
 
@@ -192,8 +192,8 @@ def _foosball_table(draw: Draw) -> Parts:
         "pitch": pitch,
         "lines": [*lines, ball(0.026, (0.1, 0.06, 0.76))],
         "rods": rods,
-        "red team": red,
-        "blue team": blue,
+        "home team": red,
+        "away team": blue,
         "grips": grips,
     }
 
@@ -323,8 +323,8 @@ def _weight_bench(draw: Draw) -> Parts:
 def _barber_pole(draw: Draw) -> Parts:
     turns = 2.5 + 0.5 * draw.which(2)
     white = [rod((0, 0, -0.62), (0, 0, 0.62), 0.2)]
-    found = {"red": [], "blue": []}
-    for k, name in enumerate(("red", "blue")):
+    found = {"first bands": [], "second bands": []}
+    for k, name in enumerate(found):
         for shift in (0.0, 0.5):
             t = np.linspace(0, 1, 40)
             a = 2 * np.pi * (turns * t + shift + 0.25 * k)

@@ -111,7 +111,7 @@ def _bottle_opener(draw: Draw) -> Parts:
     )
     rivets = [rod((0, -0.06, z), (0, 0.06, z), 0.028, rim=0.006) for z in (-0.25, -0.72)]
     return {
-        "metal": [
+        "opener": [
             plate(outline, 0.06, (0, 0, 0), FRONT, [hole]),
             rod((0, 0, -0.3), (0, 0, -0.2), 0.03),
         ],

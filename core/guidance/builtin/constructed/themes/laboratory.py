@@ -114,8 +114,8 @@ def _solar_system(draw: Draw) -> Parts:
         "sun": sun,
         "stand": [*stand, *arms],
         "inner planets": [*found["grey"], *found["orange"]],
-        "blue planets": found["blue"],
-        "red planet": found["red"],
+        "ocean planets": found["blue"],
+        "desert planet": found["red"],
         "ringed planet": [*found["tan"], *rings],
     }
 
@@ -246,7 +246,7 @@ def _prism(draw: Draw) -> Parts:
     beams = [
         capsule((left[0] - 0.9, -0.02, left[1] - 0.4), (left[0] + 0.02, -0.02, left[1]), 0.026)
     ]
-    found = {name: [] for name in ("red", "orange", "yellow", "green", "blue", "violet")}
+    found = {f"{name} ray": [] for name in ("inner", "second", "third", "fourth", "fifth", "outer")}
     for k, name in enumerate(found):
         a = np.radians(-6 - 7 * k)
         start = right + (0.0 + 0.01 * k, 0.05 - 0.032 * k)

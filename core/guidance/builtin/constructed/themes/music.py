@@ -317,7 +317,7 @@ def _triangle(draw: Draw) -> Parts:
         rod((0.1, -0.05, -0.7), (0.5, -0.06, 0.06), 0.024),
         rod((0.1, -0.05, -0.7), (-0.02, -0.048, -0.93), 0.04, rim=0.01),
     ]
-    return {"steel": steel, "beater": beater, "cord": cord}
+    return {"bar": steel, "beater": beater, "cord": cord}
 
 
 def _tuning_fork(draw: Draw) -> Parts:

@@ -89,7 +89,7 @@ def _unicycle(draw: Draw) -> Parts:
     return {
         "frame": fork,
         "tyre": tyre,
-        "metal": [*metal, *cranks],
+        "spokes": [*metal, *cranks],
         "saddle": seat,
         "pedals": pedals,
     }

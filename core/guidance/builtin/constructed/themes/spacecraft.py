@@ -411,7 +411,7 @@ def _jet_engine(draw: Draw) -> Parts:
         "cowling": [*cowl, *pylon],
         "fan": fan,
         "spinner": spinner,
-        "spiral": spiral,
+        "spinner mark": spiral,
         "core": [*core, *struts],
         "pipes": pipes,
     }

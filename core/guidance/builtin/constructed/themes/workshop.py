@@ -104,7 +104,7 @@ def _nail(draw: Draw) -> Parts:
         turned([(0.05, z), (0.078, z + 0.012), (0.05, z + 0.024)])
         for z in np.arange(long - 0.36, long - 0.04, 0.05)
     ]
-    return {"steel": shank}
+    return {"shank": shank}
 
 
 def _bolt(draw: Draw) -> Parts:
@@ -446,13 +446,13 @@ def _pulley(draw: Draw) -> Parts:
     wheel = [
         turned(
             [
-                (0.1, -0.1),
+                (0.06, -0.1),
                 (r + 0.06, -0.1),
                 (r + 0.05, -0.07),
                 (r - 0.04, 0.0),
                 (r + 0.05, 0.07),
                 (r + 0.06, 0.1),
-                (0.1, 0.1),
+                (0.06, 0.1),
             ],
             axis="y",
         )

@@ -13,7 +13,7 @@ NEAREST = {
     "chest": "treasure",
     "monitor": "display",
     "goblet": "grail",
-    "candle": "match, lighter",
+    "candle": "match",
     "tower": "minaret",
     "telescope": "periscope",
     "castle": "dungeon, kingdom",
@@ -25,8 +25,8 @@ NEAREST = {
     "doll": "minifigure, minifig",
     "bust": "head, face",
     "cone": "tornado",
-    "ship wheel": "roulette wheel, roulette, spinning wheel, potter wheel, potters wheel, pottery "
-    "wheel, wheel of fortune, fortune wheel, water wheel, waterwheel, prayer wheel, hamster wheel, "
+    "ship wheel": "roulette wheel, roulette, potter wheel, potters wheel, pottery "
+    "wheel, wheel of fortune, fortune wheel, prayer wheel, "
     "color wheel, colour wheel",
     "dragonfly": "grasshopper, cricket insect, mantis, praying mantis, locust",
     "snail": "slug",
@@ -100,7 +100,7 @@ REAL = frozenset(
     bending bends bennet berger bernie bert beset bets biases bidding biker bikers biking
     bile billion billions bladder blames bland blank blasted blatter blaze bleak bleaker
     blended blip blister blisters bloc blocker blockers blokes blot blunder bluster boast
-    boasts boer boko bolder bollocks bombed bond bonded bonding boned boner bong bono bony
+    boasts boer boko bolder bollocks bombed bond bonded bonding boned boner bono bony
     boom boone boos boost boosts booth booths booty booze bora borne borrow both bots
     bottled bowel bowie bowled bracket brackets brad brainy brake brakes braking bran
     brand branded branding brands bras break breaker breaks bred bret brian bribe bribes
@@ -114,14 +114,14 @@ REAL = frozenset(
     cate cause causes causing cayman cease ceases cell cellar cells centred certain chai
     chan chanel changer char charley chart charts chase chases chasing cheater cheaters
     cheating checker cheery cheesy chess chet chia chic chico chief chiefs chill chills
-    chilly chimes chin chino chip chive chives choke choked chopped chops choral chord
-    chords chose chuck chunk chunks claim claims clamp clap clare class classes cleaner
+    chilly chin chino chip chive chives choke choked chopped chops choral chord
+    chords chose chuck chunk chunks claim claims clap clare class classes cleaner
     cleaners clearer cleave clever click clicks clipped clone clones close closed closer
     closes closest clot clothed cloudy clover coal coast coasts cocks colin collage
     collide collier collin collins colton combo comin command commands commuter commuters
     compute computed condo condom condoms condos coney confer confines cong connector
     connectors connor connors conor contained conte continent controlled cooke cooked
-    cookery cooks cooler cooper cope copied copies cora core cornea corner corners corny
+    cookery cooks cooper cope copied copies cora core cornea corner corners corny
     coroner corps corpses corral corset costing coulter counted countess coup couple
     couples cove coven covert cowell craft crafts cram crap crater craven creamy create
     creates cree creek creep creeps crew crews crises crock crocker crooks crops crotch
@@ -159,24 +159,24 @@ REAL = frozenset(
     laid lama lame lancer lancers lancet lancs lander lane lanes laps lara larvae lass
     late latter layer layers leafy leans leases leave ledge leigh lender lenders lends
     leon leonard lester licking lien lila lilly limbo limp linden linn litter live lives
-    loader lobe lobes locke locked locking loft loin loom looms lopes loss losses lots
+    loader lobe lobes locke locked locking loft loin lopes loss losses lots
     loud love loves lower lowers lumbar lump lumps lush macaroni macau macs maggie magneto
     magnified magnifies magnus maine majors maker makers makin male males mali mana mange
     manson mantra manuel march marches marge margot marian marie marin marina mariner
     mariners marino marion marked market markets marlin marlon marquez marrow martial
-    martin martina martins mata mate math matteo matter matters matty maxine mayors maze
+    martin martina martins mata mate math matteo matter matters matty maxine mayors
     meal meals meant meaty medial mellon melo melodic mental merch meta metallica
     microscopy mikey milky milla mille millet milly milner mimi mince mine mines minors
     minster minutes mixes mode modes monarchy monasteries money mono month months moor
     moore moors moron morons morse mortal mortals moses moto mousse mouth mouths munster
-    muse muses nail nails ness nesting newer night nights nina noel number numbers odor
+    muse muses ness nesting newer night nights nina noel number numbers odor
     offer offers olaf oliver ollie oman opens option options oral others ouch outer
     outsider outsiders over overall overs owing pacing packaged paddock paid pain paine
     pains painted painters pair palate palin pane pant panting pantry para parameter
     parameters park parks parsons past pastries pasty pats patter paving paying peachy
     pearl pearson peeing pellet pellets pendants penis penises persona peter peters phase
     phased phases phoned phony photographed photographs piazza pickled pickles picky piers
-    pierson pilates piling pinky pint pints piped piper pistil piston pistons pitched
+    pierson pilates piling pinky pint pints piped piper pistil pitched
     pitches place places placid placing plain plan planned planners plans planted planting
     plat plated play playing pleasant plot plots plotter plugs plumbers plumping pointer
     pointers pointing poke poole pools port porter portion portions portman postal posted
@@ -197,16 +197,16 @@ REAL = frozenset(
     scratches scream screams screwy scully seaman sean sears seater seek seeks self sell
     sells selves sender sends serve served serves setter settle settles sever sewer sewers
     sewing shaded shake shaken shakes shakier shank shapes shard shards share sharer
-    shares sharp shaver shaw shear shelling shelly shelved shes shia shin shine shines
+    shares sharp shaw shear shelling shelly shelved shes shia shin shine shines
     shipper shippers shit shits shock shocking shocks shone shooter shooters shoots
     shopper shoppers shore shorty shot shots shouts shove shoved shred shreds shrewd
     shrink shuts sickly side silicon simmer sing sings sinner sinners sire sitar skaters
     skid skies skilled skipper skit slack slander slated slater slaves slices slid slimy
     slipped slippery slips sliver slotted sludge slumber smack smitten snack snacks snipe
     snowden snowfall sofia solder soon sore sores sort sorts sowing spanned spar spares
-    spark sparks sparta spawn speaks spectacle spectra sphinx spicer spices spike spiked
+    spark sparks sparta spawn speaks spectacle spectra spicer spices spiked
     spine spinner spite spock sport sporty spring springs sprinter squad squads stack
-    stacked stacking stacks stage stain stains stake stakes stale stalker stalling stalls
+    stacked stacking stacks stain stains stake stakes stale stalker stalling stalls
     stamp stan staple staples stare staring stark starr starring start starting startling
     starts starving starz state states stature status statute statutes steal steals steam
     steele stent sterling steroid steroids sticker stickers sticking sticky still stills
@@ -217,7 +217,7 @@ REAL = frozenset(
     sunday sunk surfaced swain swallows swann swatch swatches swears sweat sweeter swell
     swine sworn synthesized tail tale talk talks tally taped taper tara tarzan
     tastes teaches tears teenage teethe tempe templates tends tenet tenets tenth thank
-    thanks thatcher theater theaters thermo thine thing things think thinks thorn thorne
+    thanks thatcher theaters thermo thine thing things think thinks thorn thorne
     thorns those threat threats three throng ticks tier tiers tight time timer timers
     tipped tired toasted toll tolls tomas tombs tone tones tong tons tool tools toot
     toothy topper tore tori tories torque tort tote touched tourism tours tout towels
