@@ -92,8 +92,8 @@ OF_A_THING = {
     ),
     "eye": "fish whites, pufferfish whites, cyclops whites, cyclops iris",
     "fabric": (
-        "glove band, baseball cap badge, hot air balloon balloon, paper lantern tassels, director chair "
-        "star, ping pong table tape"
+        "glove band, baseball cap badge, hot air balloon balloon, paper lantern tassels, director "
+        "chair star, ping pong table tape"
     ),
     "feathers": (
         "rooster neck, peacock eyes, angel wings, feather vane, feather tip, griffin wings, "
@@ -391,13 +391,15 @@ GLOW = {
     0.6: (
         "ray gun tip, brazier embers, ufo lights, jack-o-lantern eyes, jack-o-lantern nose, "
         "jack-o-lantern mouth, computer tower lights, sci-fi crate lights, sci-fi door lights, "
-        "landmine light, forge embers, portal glow, time machine glow, atom electrons, lava lamp lava"
+        "landmine light, forge embers, portal glow, time machine glow, atom electrons, lava lamp "
+        "lava"
     ),
     0.4: (
         "space station windows, light bulb bulb, lantern glass, street lamp lamp, flashlight lens, "
         "lighthouse lantern, jukebox lights, mech visor, golem eyes, staff crystal, server rack "
         "lights, spotlight lens, theatre stage footlights, portal swirl, segway lamps, "
-        "hoverboard lamps, gun turret lamps, server rack lamps, wall sconce bulb, pendant lamp bulb, toxic barrel goo"
+        "hoverboard lamps, gun turret lamps, server rack lamps, wall sconce bulb, pendant lamp "
+        "bulb, toxic barrel goo"
     ),
     0.15: (
         "traffic light reds, traffic light yellows, traffic light greens, lamp shade, floor lamp "

@@ -252,7 +252,6 @@ def test_a_colour_or_a_material_that_is_left_out_comes_with_the_nearest():
 @pytest.mark.parametrize(
     ("word", "near"),
     [
-        ("minaret", ["tower"]),
         ("grail", ["goblet"]),
         ("tornado", ["cone"]),
         ("tornados", ["cone"]),

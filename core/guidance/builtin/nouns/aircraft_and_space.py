@@ -24,7 +24,7 @@ AIRCRAFT_AND_SPACE = {
             "stripe": "-3d6fb3 . paint",
             "bands": "-3d6fb3 . paint",
         },
-        Usual(12.0, STEEL, 0.0078),
+        Usual(12.0, STEEL, 0.035),
         constructed=True,
     ),
     "biplane": Noun(

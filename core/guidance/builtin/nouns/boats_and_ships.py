@@ -111,7 +111,7 @@ BOATS_AND_SHIPS = {
             "windows": "-2a1c10",
             "seams": "~432510 grain",
         },
-        Usual(30.0, WOOD, 0.1),
+        Usual(30.0, WOOD, 0.31),
         constructed=True,
     ),
     "longship": Noun(
@@ -124,7 +124,7 @@ BOATS_AND_SHIPS = {
             "stripes": "+b3261e . fabric",
             "shields": "+d9a53a",
         },
-        Usual(20.0, WOOD, 0.1),
+        Usual(20.0, WOOD, 0.21),
         constructed=True,
     ),
     "cargo ship": Noun(

@@ -12,7 +12,7 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "band": "+d5d9dd . metal",
             "knobs": "-26262a . plastic",
         },
-        Usual(0.36, STEEL, 0.25),
+        Usual(0.36, STEEL, 0.16),
         constructed=True,
     ),
     "corkscrew": Noun(
@@ -23,7 +23,7 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "arms": "*c9a13e . golden",
             "handle": "&b58d34 . golden",
         },
-        Usual(0.18, STEEL, 0.9),
+        Usual(0.18, STEEL, 0.37),
         constructed=True,
     ),
     "bottle opener": Noun(
@@ -40,7 +40,7 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "cutter": "-8d949b . metal",
             "crank": "+26262a . plastic",
         },
-        Usual(0.2, STEEL, 0.6),
+        Usual(0.2, STEEL, 0.37),
         constructed=True,
     ),
     "mortar and pestle": Noun(
@@ -58,11 +58,12 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "berries": "-c4203a",
             "leaves": "-4f9a35",
         },
-        Usual(0.32, CERAMIC, 0.5),
+        Usual(0.32, CERAMIC, 0.24),
         constructed=True,
     ),
     "kitchen scale": Noun(
-        "kitchen scales, weighing scale, weighing scales, food scale, baking scale; bathroom scale, weight scale",
+        "kitchen scales, weighing scale, weighing scales, food scale, baking scale; bathroom "
+        "scale, weight scale",
         {
             "body": "*6fb5a8 . paint",
             "pan": "-c3c8cd . metal",
@@ -71,25 +72,25 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "marks": "-22252a",
             "pointer": "-c9261f",
         },
-        Usual(0.3, STEEL, 0.2),
+        Usual(0.3, STEEL, 0.044),
         constructed=True,
     ),
     "ladle": Noun(
         "soup ladle, ladles, dipper",
         {"bowl": "*aeb4ba . metal", "stem": "*aeb4ba . metal", "grip": "+26262a . plastic"},
-        Usual(0.33, STEEL),
+        Usual(0.33, STEEL, 0.15),
         constructed=True,
     ),
     "tongs": Noun(
         "kitchen tongs, bbq tongs, salad tongs; tweezers, sugar tongs",
         {"arms": "*aeb4ba . metal", "grips": "+c4262e . rubber"},
-        Usual(0.3, STEEL),
+        Usual(0.3, STEEL, 0.25),
         constructed=True,
     ),
     "egg cup": Noun(
         "eggcup, egg in an egg cup, egg holder, egg cups",
         {"cup": "*f2f0ea . ceramic", "egg": "+d9a878", "bands": "-3f7fc4 . paint"},
-        Usual(0.11, CERAMIC),
+        Usual(0.11, CERAMIC, 0.33),
         constructed=True,
     ),
     "waffle maker": Noun(
@@ -112,7 +113,7 @@ COOKING_AND_BATH: dict[str, Noun] = {
             "handles": "-5a3018 . wooden",
             "teapot": "+f2ece0 . ceramic",
         },
-        Usual(0.5, STEEL, 0.2),
+        Usual(0.5, STEEL, 0.092),
         constructed=True,
     ),
     "french press": Noun(
@@ -221,7 +222,8 @@ COOKING_AND_BATH: dict[str, Noun] = {
         constructed=True,
     ),
     "power outlet": Noun(
-        "electrical outlet, wall socket, power socket, wall outlet, electric socket, electrical socket, plug socket, power outlets",
+        "electrical outlet, wall socket, power socket, wall outlet, electric socket, "
+        "electrical socket, plug socket, power outlets",
         {
             "plate": "*f4f2ec . plastic",
             "sockets": "&dedbd2 . plastic",

@@ -63,7 +63,7 @@ ENGINES_OF_WAR: dict[str, Noun] = {
             "wheels": "&7a4a24 grain",
             "pole": "-5a381c grain",
         },
-        Usual(2.6, WOOD, 0.3),
+        Usual(2.6, WOOD, 0.51),
         constructed=True,
     ),
     "guillotine": Noun(
@@ -104,11 +104,12 @@ ENGINES_OF_WAR: dict[str, Noun] = {
             "carriage": "*7a4f2a grain",
             "wheels": "&5a3a20 grain",
         },
-        Usual(1.9, STEEL, 0.2),
+        Usual(1.9, STEEL, 0.26),
         constructed=True,
     ),
     "gun turret": Noun(
-        "gun turrets, sentry gun, auto turret, sentry turret, defense turret; laser turret, cannon turret, anti aircraft gun",
+        "gun turrets, sentry gun, auto turret, sentry turret, defense turret; laser turret, "
+        "cannon turret, anti aircraft gun",
         {
             "armour": "*6b7480 . paint",
             "guns": "-3a3d42 . metal",

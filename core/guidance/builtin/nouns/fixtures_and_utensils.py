@@ -91,7 +91,7 @@ FIXTURES_AND_UTENSILS = {
             "wheels": "-25272a . rubber",
             "flap": "+e0453c . plastic",
         },
-        Usual(1.1, STEEL, 0.015),
+        Usual(1.1, STEEL, 0.19),
         constructed=True,
     ),
     "aquarium": Noun(

@@ -99,13 +99,13 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "rooster": "+b5763a . copper",
             "comb": "-b3261e . paint",
         },
-        Usual(1.2, STEEL, 0.5),
+        Usual(1.2, STEEL, 0.14),
         constructed=True,
     ),
     "windsock": Noun(
         "wind sock, windsocks, wind cone",
         {"stripes": "*e2571e . fabric", "sleeve": "+f4f1e8 . fabric", "pole": "-8d949b . metal"},
-        Usual(4.0, STEEL, 0.2),
+        Usual(4.0, STEEL, 0.012),
         constructed=True,
     ),
     "pergola": Noun(
@@ -128,7 +128,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "opening": "-2a221c",
             "toys": "+c23a4e",
         },
-        Usual(1.5, WOOD, 0.4),
+        Usual(1.5, WOOD, 0.18),
         constructed=True,
     ),
     "hamster wheel": Noun(
@@ -159,7 +159,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
     "deck chair": Noun(
         "deckchair, beach chair, sling chair, deck chairs, deckchairs",
         {"cloth": "+f4f0e4 . fabric", "stripes": "*2f6fb0 . fabric", "frame": "-b5834a . wooden"},
-        Usual(1.2, WOOD, 0.6),
+        Usual(1.2, WOOD, 0.23),
         constructed=True,
     ),
     "cooler": Noun(
@@ -184,7 +184,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "hose": "+8f2238 . fabric",
             "mouthpiece": "-7a4a24 . wooden",
         },
-        Usual(0.8, GLASS, 0.4),
+        Usual(0.8, GLASS, 0.12),
         constructed=True,
     ),
     "lava lamp": Noun(
@@ -195,7 +195,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "lava": "+ff5a2a",
             "rings": "&a3a9b0 . metal",
         },
-        Usual(0.4, GLASS, 0.7),
+        Usual(0.4, GLASS, 0.25),
         constructed=True,
     ),
     "ashtray": Noun(
@@ -217,7 +217,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "holes": "-2a2c30",
             "flame": "-ffb02a",
         },
-        Usual(0.09, STEEL, 0.3),
+        Usual(0.09, STEEL, 0.14),
         constructed=True,
     ),
     "matchbox": Noun(
@@ -256,7 +256,7 @@ GARDEN_AND_LEISURE: dict[str, Noun] = {
             "linen": "+f2f0e8 . fabric",
             "pegs": "-d8b070 . wooden",
         },
-        Usual(4.0, FABRIC, 0.3),
+        Usual(4.0, FABRIC, 0.42),
         constructed=True,
     ),
 }

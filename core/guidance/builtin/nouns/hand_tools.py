@@ -43,7 +43,7 @@ HAND_TOOLS = {
             "rivets": "-d8b04a . golden",
             "letters": "-565d63",
         },
-        Usual(0.55, 2500.0, 0.062),
+        Usual(0.55, 2500.0, 0.31),
         constructed=True,
     ),
     "chainsaw": Noun(

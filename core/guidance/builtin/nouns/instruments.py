@@ -15,7 +15,7 @@ INSTRUMENTS = {
             "rosette": "-e8c98a",
             "pickguard": "-3c1d0e . plastic",
         },
-        Usual(1.0, WOOD, 0.15),
+        Usual(1.0, WOOD, 0.23),
         constructed=True,
     ),
     "electric guitar": Noun(
@@ -30,7 +30,7 @@ INSTRUMENTS = {
             "knobs": "-d9b24a . golden",
             "frets": "-c9ccd0 . metal",
         },
-        Usual(1.0, WOOD, 0.15),
+        Usual(1.0, WOOD, 0.66),
         constructed=True,
     ),
     "banjo": Noun(
@@ -67,7 +67,7 @@ INSTRUMENTS = {
             "pegs": "-241a16",
             "chinrest": "+33231b",
         },
-        Usual(0.6, WOOD, 0.093),
+        Usual(0.6, WOOD, 0.26),
         constructed=True,
     ),
     "harp": Noun(
@@ -80,7 +80,7 @@ INSTRUMENTS = {
             "base": "&7d4820 grain",
             "crown": "+e0b04a . golden",
         },
-        Usual(1.8, WOOD, 0.21),
+        Usual(1.8, WOOD, 0.69),
         constructed=True,
     ),
     "trumpet": Noun(
@@ -91,13 +91,13 @@ INSTRUMENTS = {
             "buttons": "-f2efe6",
             "mouthpiece": "+c3c8cd . metal",
         },
-        Usual(0.5, COPPER, 0.066),
+        Usual(0.5, COPPER, 0.17),
         constructed=True,
     ),
     "saxophone": Noun(
         "sax; clarinet, oboe, bassoon",
         {"body": "*e0ab38 . golden", "keys": "&c08a24 . golden", "mouthpiece": "-1f1f22"},
-        Usual(0.7, COPPER, 0.023),
+        Usual(0.7, COPPER, 0.036),
         constructed=True,
     ),
     "flute": Noun(

@@ -34,7 +34,7 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
             "desert planet": "-b8482c",
             "ringed planet": "-dcc28a",
         },
-        Usual(0.8, STEEL, 0.4),
+        Usual(0.8, STEEL, 0.22),
         constructed=True,
     ),
     "beaker": Noun(
@@ -45,7 +45,7 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
             "marks": "-f4f8fa",
             "bubbles": "-b6ecc9 . glass",
         },
-        Usual(0.14, GLASS, 0.7),
+        Usual(0.14, GLASS, 0.059),
         constructed=True,
     ),
     "bunsen burner": Noun(
@@ -97,7 +97,7 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
     "galaxy": Noun(
         "galaxies, milky way, nebula",
         {"core": "*ffe2a0", "arms": "*5a4fb8", "dust": "+b06ad0", "stars": "-fbfbff"},
-        Usual(1.0, PLASTIC, 0.5),
+        Usual(1.0, PLASTIC, 0.19),
         constructed=True,
     ),
     "comet": Noun(
@@ -149,7 +149,8 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
         constructed=True,
     ),
     "tape dispenser": Noun(
-        "sticky tape dispenser, scotch tape, sticky tape, adhesive tape, sellotape, tape dispensers; duct tape, roll of tape, masking tape",
+        "sticky tape dispenser, scotch tape, sticky tape, adhesive tape, sellotape, tape "
+        "dispensers; duct tape, roll of tape, masking tape",
         {
             "body": "*2c3138 . plastic",
             "roll": "-e8dfb0 . plastic",
@@ -166,7 +167,8 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
         constructed=True,
     ),
     "usb stick": Noun(
-        "usb drive, flash drive, usb flash drive, thumb drive, pen drive, usb sticks, memory stick, usb",
+        "usb drive, flash drive, usb flash drive, thumb drive, pen drive, usb sticks, memory "
+        "stick, usb",
         {
             "body": "*2f6fd0 . plastic",
             "plug": "-c3c8cd . metal",
@@ -313,7 +315,7 @@ LABORATORY_AND_WORKSHOP: dict[str, Noun] = {
             "screen": "-b5c8a8 . glass",
             "marks": "-1f2022",
         },
-        Usual(0.23, STEEL),
+        Usual(0.23, STEEL, 0.37),
         constructed=True,
     ),
     "pulley": Noun(

@@ -13,7 +13,7 @@ LANDMARKS = {
             "frames": "-ddd6c6 . stone",
             "seams": "-38220f",
         },
-        Usual(40.0, STONE, 0.3),
+        Usual(40.0, STONE, 0.92),
         constructed=True,
     ),
     "tower": Noun(

@@ -122,7 +122,8 @@ MONUMENTS: dict[str, Noun] = {
         constructed=True,
     ),
     "train tracks": Noun(
-        "train track, railway tracks, railway track, railroad tracks, railroad track, rail tracks, rails, railroad, railway",
+        "train track, railway tracks, railway track, railroad tracks, railroad track, rail "
+        "tracks, rails, railroad, railway",
         {
             "rails": "*8f959c . metal",
             "sleepers": "+5f4128 . wooden",
@@ -133,7 +134,8 @@ MONUMENTS: dict[str, Noun] = {
         constructed=True,
     ),
     "ziggurat": Noun(
-        "mesopotamian temple; step pyramid, stepped pyramid, mayan pyramid, aztec pyramid, mayan temple, aztec temple, chichen itza",
+        "mesopotamian temple; step pyramid, stepped pyramid, mayan pyramid, aztec pyramid, "
+        "mayan temple, aztec temple, chichen itza",
         {
             "tiers": "*cda66a . stone",
             "stairs": "&b58d55 . stone",

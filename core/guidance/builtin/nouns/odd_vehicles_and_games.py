@@ -22,11 +22,12 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "saddle": "+26262a . leather",
             "pedals": "-2c2f33 . plastic",
         },
-        Usual(1.2, STEEL, 0.1),
+        Usual(1.2, STEEL, 0.043),
         constructed=True,
     ),
     "penny farthing": Noun(
-        "penny-farthing, high wheeler, victorian bicycle, old fashioned bicycle, penny farthing bicycle",
+        "penny-farthing, high wheeler, victorian bicycle, old fashioned bicycle, penny "
+        "farthing bicycle",
         {
             "frame": "*23262a . paint",
             "tyres": TYRES_LOOK,
@@ -47,7 +48,7 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "grips": "-1f1f22 . rubber",
             "lamps": "-7fe0f0",
         },
-        Usual(1.3, STEEL, 0.1),
+        Usual(1.3, STEEL, 0.049),
         constructed=True,
     ),
     "hoverboard": Noun(
@@ -91,7 +92,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "space capsule": Noun(
-        "capsule spacecraft, apollo capsule, space pod, escape pod, command module, reentry capsule, spacecraft capsule",
+        "capsule spacecraft, apollo capsule, space pod, escape pod, command module, reentry "
+        "capsule, spacecraft capsule",
         {
             "hull": "*c9ced4 . metal",
             "heat shield": "-4a3424",
@@ -105,7 +107,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "lunar lander": Noun(
-        "moon lander, lunar module, apollo lander, eagle lander, landing module; mars lander, space lander",
+        "moon lander, lunar module, apollo lander, eagle lander, landing module; mars lander,"
+        " space lander",
         {
             "descent stage": "*d0a03a . golden",
             "ascent stage": "+d5d9dd . metal",
@@ -119,7 +122,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "missile": Noun(
-        "missiles, cruise missile, ballistic missile, guided missile, nuke, nuclear missile; atomic bomb, icbm",
+        "missiles, cruise missile, ballistic missile, guided missile, nuke, nuclear missile; "
+        "atomic bomb, icbm",
         {
             "body": "*e2e4e6 . paint",
             "nose": "+c4281e . paint",
@@ -139,7 +143,7 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "propeller": "-c79a3e . golden",
             "bands": "-2c2f33 . paint",
         },
-        Usual(6.0, STEEL, 0.3),
+        Usual(6.0, STEEL, 0.063),
         constructed=True,
     ),
     "jet engine": Noun(
@@ -156,7 +160,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "cable car": Noun(
-        "gondola lift, aerial tramway, ski gondola, ropeway, cable cars, gondola cabin; ski lift, chairlift",
+        "gondola lift, aerial tramway, ski gondola, ropeway, cable cars, gondola cabin; ski "
+        "lift, chairlift",
         {
             "cabin": "*d8281e . paint",
             "windows": GLASS_LOOK,
@@ -194,7 +199,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "forge": Noun(
-        "blacksmith forge, smithy, forges, blacksmith's forge; kiln, furnace, pottery kiln, smelter",
+        "blacksmith forge, smithy, forges, blacksmith's forge; kiln, furnace, pottery kiln, "
+        "smelter",
         {
             "hearth": "*7d776e . stone",
             "posts": "-3a3d42 . metal",
@@ -229,7 +235,7 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "grip": "+8a2420 . fabric",
             "ring": "-6b7178 . metal",
         },
-        Usual(0.3, STEEL),
+        Usual(0.3, STEEL, 0.28),
         constructed=True,
     ),
     "nunchucks": Noun(
@@ -247,13 +253,13 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "wraps": "-7a4a2c . leather",
             "tassel": "-2a1a12 . leather",
         },
-        Usual(0.8, LEATHER),
+        Usual(0.8, LEATHER, 0.15),
         constructed=True,
     ),
     "grappling hook": Noun(
         "grapple hook, grappling hooks, grapnel, climbing hook",
         {"hook": "*5a6068 . metal", "rope": "+c9a86a . fabric"},
-        Usual(0.4, STEEL),
+        Usual(0.4, STEEL, 0.25),
         constructed=True,
     ),
     "punching bag": Noun(
@@ -282,7 +288,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "ping pong table": Noun(
-        "table tennis table, table tennis, ping pong, ping-pong table, pingpong table, ping pong tables",
+        "table tennis table, table tennis, ping pong, ping-pong table, pingpong table, ping "
+        "pong tables",
         {
             "top": "*1f5f9c . paint",
             "lines": "-f4f4f2",
@@ -310,7 +317,8 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
         constructed=True,
     ),
     "exercise bike": Noun(
-        "stationary bike, exercise bicycle, spin bike, spinning bike, stationary bicycle, gym bike, exercise bikes; rowing machine, elliptical trainer, cross trainer",
+        "stationary bike, exercise bicycle, spin bike, spinning bike, stationary bicycle, gym"
+        " bike, exercise bikes; rowing machine, elliptical trainer, cross trainer",
         {
             "frame": "*d5d9dd . paint",
             "flywheel": "-3a3d42 . metal",
@@ -321,18 +329,19 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "screen": "-7fe0c0 . glass",
             "pedals": "-1f1f22 . plastic",
         },
-        Usual(1.4, STEEL, 0.1),
+        Usual(1.4, STEEL, 0.06),
         constructed=True,
     ),
     "weight bench": Noun(
-        "bench press, workout bench, gym bench, weightlifting bench, weight benches, lifting bench; gym, home gym",
+        "bench press, workout bench, gym bench, weightlifting bench, weight benches, lifting "
+        "bench; gym, home gym",
         {
             "pads": "*232326 . leather",
             "frame": "+c4281e . paint",
             "bar": "-b9bfc6 . metal",
             "plates": "-3a3d42 . metal",
         },
-        Usual(1.9, STEEL, 0.3),
+        Usual(1.9, STEEL, 0.11),
         constructed=True,
     ),
     "barber pole": Noun(
@@ -343,7 +352,7 @@ ODD_VEHICLES_AND_GAMES: dict[str, Noun] = {
             "second bands": "+2f5fb0 . plastic",
             "caps": "-c3c8cd . metal",
         },
-        Usual(0.8, STEEL, 0.2),
+        Usual(0.8, STEEL, 0.1),
         constructed=True,
     ),
     "ice skate": Noun(

@@ -12,7 +12,8 @@ from core.guidance.builtin.nouns.noun import (
 
 STAGE_AND_STUDIO: dict[str, Noun] = {
     "clapperboard": Noun(
-        "clapper board, film slate, movie clapper, clapper, film clapper, movie slate, clapperboards, clapboard",
+        "clapper board, film slate, movie clapper, clapper, film clapper, movie slate, "
+        "clapperboards, clapboard",
         {
             "board": "*22252a . plastic",
             "stripes": "+f4f4f0",
@@ -29,14 +30,15 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "spotlight": Noun(
-        "stage light, spot light, stage lamp, studio light, film light, spotlights, floodlight, stage lights",
+        "stage light, spot light, stage lamp, studio light, film light, spotlights, "
+        "floodlight, stage lights",
         {
             "body": "*2c3035 . metal",
             "lens": "-fff0b0",
             "barn doors": "&1f2226 . metal",
             "stand": "&3f444a . metal",
         },
-        Usual(1.5, STEEL, 0.2),
+        Usual(1.5, STEEL, 0.01),
         constructed=True,
     ),
     "tripod": Noun(
@@ -48,11 +50,12 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
             "joints": "+8d949b . metal",
             "feet": "-1c1c1e . rubber",
         },
-        Usual(1.5, STEEL, 0.3),
+        Usual(1.5, STEEL, 0.018),
         constructed=True,
     ),
     "theatre stage": Noun(
-        "stage, theater stage, puppet theatre, puppet theater, stage with curtains, theatre, theater, concert stage",
+        "stage, theater stage, puppet theatre, puppet theater, stage with curtains, theatre, "
+        "theater, concert stage",
         {
             "floor": "&a8713f . wooden",
             "frame": "+c9973e . golden",
@@ -65,7 +68,8 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "podium": Noun(
-        "winners podium, winner podium, victory podium, podiums, olympic podium, awards podium; pedestal podium",
+        "winners podium, winner podium, victory podium, podiums, olympic podium, awards "
+        "podium; pedestal podium",
         {
             "blocks": "*f2f2ee . paint",
             "tops": "+2f5fa8 . paint",
@@ -114,7 +118,8 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "director chair": Noun(
-        "directors chair, director's chair, film director chair, movie director chair; camping chair, folding chair",
+        "directors chair, director's chair, film director chair, movie director chair; "
+        "camping chair, folding chair",
         {
             "cloth": "*23262c . fabric",
             "frame": "+b5834a . wooden",
@@ -140,7 +145,8 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "portal": Noun(
-        "magic portal, stone portal, dimensional portal, stargate, teleporter, portals, warp gate; nether portal, teleport pad",
+        "magic portal, stone portal, dimensional portal, stargate, teleporter, portals, warp "
+        "gate; nether portal, teleport pad",
         {
             "frame": "*6b6f78 . stone",
             "surface": "-5a2fb0 . glass",
@@ -161,7 +167,7 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
             "spike": "-8d949b . metal",
             "bow": "+7a4526 . wooden",
         },
-        Usual(1.2, WOOD, 0.1),
+        Usual(1.2, WOOD, 0.27),
         constructed=True,
     ),
     "tuba": Noun(
@@ -172,7 +178,7 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
             "buttons": "-f2efe6",
             "mouthpiece": "+c3c8cd . metal",
         },
-        Usual(1.0, COPPER, 0.05),
+        Usual(1.0, COPPER, 0.032),
         constructed=True,
     ),
     "french horn": Noun(
@@ -183,7 +189,7 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
             "keys": "-f2efe6",
             "mouthpiece": "+c3c8cd . metal",
         },
-        Usual(0.6, COPPER, 0.06),
+        Usual(0.6, COPPER, 0.085),
         constructed=True,
     ),
     "tambourine": Noun(
@@ -227,7 +233,8 @@ STAGE_AND_STUDIO: dict[str, Noun] = {
         constructed=True,
     ),
     "spool of thread": Noun(
-        "thread spool, reel of thread, cotton reel, bobbin, thread reel, sewing thread, spool, spools of thread",
+        "thread spool, reel of thread, cotton reel, bobbin, thread reel, sewing thread, "
+        "spool, spools of thread",
         {
             "spool": "+c9975a . wooden",
             "thread": "*c92a3e . fabric",

@@ -61,7 +61,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "handlebar": "-9aa1a8 . metal",
             "pedals": "-55585c . metal",
         },
-        Usual(1.75, STEEL, 0.015),
+        Usual(1.75, STEEL, 0.067),
         constructed=True,
     ),
     "tricycle": Noun(
@@ -88,7 +88,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "lamp": "-f7eec2",
             "fins": "-4d5156 . metal",
         },
-        Usual(2.1, STEEL, 0.06),
+        Usual(2.1, STEEL, 0.14),
         constructed=True,
     ),
     "scooter": Noun(
@@ -141,7 +141,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "cover": "+ece2cc . fabric",
             "seams": "~63401f grain",
         },
-        Usual(3.5, WOOD, 0.25),
+        Usual(3.5, WOOD),
         constructed=True,
     ),
     "stagecoach": Noun(
@@ -155,7 +155,7 @@ TRAINS_CYCLES_AND_CARTS = {
             "frame": "+c48f2c . paint",
             "luggage": "-6b4326 . leather",
         },
-        Usual(4.2, WOOD, 0.19),
+        Usual(4.2, WOOD, 0.4),
         constructed=True,
     ),
     "sled": Noun(
@@ -200,8 +200,8 @@ TRAINS_CYCLES_AND_CARTS = {
         Usual(6.0, FABRIC, 0.02),
     ),
     "baby stroller": Noun(
-        "stroller, pram, baby carriage, pushchair, perambulator, baby buggy, baby pram, buggy pram, "
-        "strollers",
+        "stroller, pram, baby carriage, pushchair, perambulator, baby buggy, baby pram, buggy"
+        " pram, strollers",
         {
             "body": "*2f4f86 . fabric",
             "hood": "*2f4f86 . fabric",

@@ -242,7 +242,7 @@ TRUCKS_BUSES_AND_TRACTORS = {
             "links": "-4a4b4a . metal",
             "vents": "~414a2b",
         },
-        Usual(8.0, STEEL, 0.1),
+        Usual(8.0, STEEL, 0.24),
         constructed=True,
     ),
     "rover": Noun(

@@ -107,7 +107,7 @@ WEAPONS = {
             "arrow": "-c9a468 grain",
             "feathers": "-c8322a",
         },
-        Usual(1.5, WOOD, 0.035),
+        Usual(1.5, WOOD, 0.19),
         constructed=True,
     ),
     "quiver": Noun(
@@ -133,7 +133,7 @@ WEAPONS = {
             "point": "-9aa0a6 . metal",
             "trigger": "-3a3c40 . metal",
         },
-        Usual(0.8, WOOD, 0.22),
+        Usual(0.8, WOOD),
         constructed=True,
     ),
     "catapult": Noun(
@@ -146,7 +146,7 @@ WEAPONS = {
             "stone": "-86867f . stone",
             "bands": "-4a4d52 . metal",
         },
-        Usual(3.5, WOOD, 0.25),
+        Usual(3.5, WOOD, 0.56),
         constructed=True,
     ),
     "chestplate": Noun(
@@ -176,7 +176,7 @@ WEAPONS = {
             "port": "-1a1b1e . metal",
             "bands": "-2a1a10 . rubber",
         },
-        Usual(1.0, STEEL, 0.0105),
+        Usual(1.0, STEEL, 0.098),
         constructed=True,
     ),
     "shotgun": Noun(
@@ -191,7 +191,7 @@ WEAPONS = {
             "pad": "-26262c . rubber",
             "shells": "+d03a2c . plastic",
         },
-        Usual(1.1, STEEL, 0.02),
+        Usual(1.1, STEEL, 0.055),
         constructed=True,
     ),
     "revolver": Noun(

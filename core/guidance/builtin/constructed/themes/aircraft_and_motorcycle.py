@@ -200,7 +200,7 @@ def _motorcycle(draw: Draw) -> Parts:
         )
     ]
     shell = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    handle = [one for one in handle[:-1]] + placed(
+    handle = list(handle[:-1]) + placed(
         [turned([(0, 0), (0.05, 0.0), (0.11, 0.06), (0.125, 0.15), (0, 0.15)])],
         shell,
         (0, -0.56, 0.87),

@@ -1,5 +1,6 @@
 """A hovercraft, a tug and a cable car."""
 
+import itertools
 from collections.abc import Callable
 
 import numpy as np
@@ -34,7 +35,7 @@ def _hovercraft(draw: Draw) -> Parts:
         for g, z in ((1.0, 0.04), (1.05, 0.1), (1.06, 0.16), (1.03, 0.22))
     ] + [ball((0.085, 0.085, 0.11), (1.03 * x, 1.03 * y, 0.11)) for x, y in outline[::2]]
     edge = np.concatenate([outline, outline[:1]])
-    for a, b in zip(edge[:-1], edge[1:], strict=True):
+    for a, b in itertools.pairwise(edge):
         if np.linalg.norm(b - a) > 0.3:
             skirt += [
                 ball((0.085, 0.085, 0.11), (*(1.03 * (a + f * (b - a))), 0.11))

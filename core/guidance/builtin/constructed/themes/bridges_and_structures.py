@@ -1,5 +1,6 @@
 """Bridges and large structures."""
 
+import itertools
 from collections.abc import Callable
 
 import numpy as np
@@ -54,7 +55,7 @@ def _suspension_bridge(draw: Draw) -> Parts:
             *((x, y, z) for x, z in zip(xs, zs, strict=True)),
             (end, y, deck_z),
         ]
-        cables += [capsule(a, b, 0.017) for a, b in zip(line[:-1], line[1:], strict=True)]
+        cables += [capsule(a, b, 0.017) for a, b in itertools.pairwise(line)]
         for x in np.linspace(-end + 0.14, end - 0.14, 37):
             z = np.interp(x, [p[0] for p in line], [p[2] for p in line])
             if z > deck_z + 0.05:
@@ -72,7 +73,7 @@ def _suspension_bridge(draw: Draw) -> Parts:
                 (b, y, deck_z - 0.02 - 0.07 * (k % 2)),
                 0.0095,
             )
-            for k, (a, b) in enumerate(zip(xs[:-1], xs[1:], strict=True))
+            for k, (a, b) in enumerate(itertools.pairwise(xs))
         ]
         deck += [box((2 * end, 0.02, 0.02), (0, y, deck_z - 0.095), 0.004)]
     road = [box((2 * end - 0.02, 2 * wide - 0.05, 0.02), (0, 0, deck_z + 0.018))]
@@ -122,7 +123,7 @@ def _tower_bridge(draw: Draw) -> Parts:
         xs = np.linspace(-half, half, 15)
         blue += [
             rod((a, y, 0.66 + 0.1 * (k % 2)), (b, y, 0.76 - 0.1 * (k % 2)), 0.011)
-            for k, (a, b) in enumerate(zip(xs[:-1], xs[1:], strict=True))
+            for k, (a, b) in enumerate(itertools.pairwise(xs))
         ]
     for s in (-1, 1):
         way = Rotation.from_euler("y", -s * lift, degrees=True).as_matrix()
@@ -188,7 +189,7 @@ def _stadium(draw: Draw) -> Parts:
         ribs.append(rod((*at, 0.0), (*(1.04 * at), 0.6), 0.022))
         ribs.append(rod((*(1.04 * at), 0.6), (*(0.74 * at), 0.68), 0.018))
     roof = [
-        plate(oval(1.06), 0.03, (0, 0, 0.6), FLAT, [oval(0.86)]),
+        plate(oval(1.06), 0.03, (0, 0, 0.6), FLAT, [oval(draw(0.82, 0.88))]),
         plate(oval(0.9), 0.03, (0, 0, 0.64), FLAT, [oval(0.72)]),
     ]
     pitch = [plate(oval(0.52), 0.05, (0, 0, 0.01))]

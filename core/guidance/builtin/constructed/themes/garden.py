@@ -302,7 +302,7 @@ def _pergola(draw: Draw) -> Parts:
                 (rng.uniform(-0.1, wide + 0.1), rng.uniform(-deep - 0.1, 0.2), 1.46),
             )
         )
-    for k in range(12):
+    for _ in range(12):
         flowers.append(
             ball(
                 0.045,

@@ -164,7 +164,7 @@ def _train(draw: Draw) -> Parts:
 
 
 def _stagecoach(draw: Draw) -> Parts:
-    spokes = 12
+    spokes = 10 + 2 * draw.which(3)
     shell = [(-0.5, 0.62), (-0.3, 0.46), (0.3, 0.46), (0.5, 0.62), (0.56, 1.24), (-0.56, 1.24)]
     body = [plate(shell, 0.74, (0, 0, 0), SIDE)]
     body += both_sides([box((0.03, 0.34, 0.68), (0.372, 0, 0.85), 0.008)])

@@ -189,7 +189,7 @@ def _longship(draw: Draw) -> Parts:
         x = (k - 2.5) * 0.14
         (stripes if k % 2 else sail).append(_sail(0.142, 0.66, (x, -0.03, 0.74)))
     shields = []
-    for k, y in enumerate(np.linspace(-0.52, 0.52, count)):
+    for y in np.linspace(-0.52, 0.52, count):
         side = wide * (1.02 - 0.42 * abs(y / 0.6) ** 2.4)
         shields += [
             rod((side - 0.06, y, -0.1), (side + 0.03, y, -0.1), 0.068, rim=0.01),

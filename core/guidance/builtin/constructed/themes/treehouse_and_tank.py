@@ -1,5 +1,6 @@
 """A treehouse, an airplane and a tank that the networks know and drew roughly."""
 
+import itertools
 from collections.abc import Callable
 
 import numpy as np
@@ -283,7 +284,7 @@ def _tank(draw: Draw) -> Parts:
     inner = (outer - middle) * (0.955, 0.83) + middle
     tracks = [plate(outer, 0.26, (0.44, 0, 0), SIDE, [inner])]
     ends = [*outer, outer[0]]
-    for a, b in zip(ends[:-1], ends[1:], strict=True):
+    for a, b in itertools.pairwise(ends):
         way2, steps = b - a, max(int(np.linalg.norm(b - a) / 0.085), 1)
         turn = np.degrees(np.arctan2(way2[1], way2[0]))
         for f in (np.arange(steps) + 0.5) / steps:
