@@ -606,7 +606,7 @@ def test_a_giants_club_is_no_giant_and_a_dolls_house_is_small() -> None:
     assert read("a doll's house")["size_m"] == read("a dollhouse")["size_m"] < 2
 
 
-@pytest.mark.parametrize("name", ["truck scale", "luggage scale", "shower head"])
+@pytest.mark.parametrize("name", ["truck scale", "postal scale", "shower head"])
 def test_an_unknown_thing_is_named_whole(name: str) -> None:
     with pytest.raises(UserError, match=f"does not know '{name}'"):
         read(f"a {name}")

@@ -19,6 +19,9 @@ from core.guidance.builtin.stretch import training_size
 Point = Float[np.ndarray, " 3"]
 Frame = Float[np.ndarray, "3 3"]  # columns: the solid's own axes
 Place = Sequence[float] | Point
+Places = Sequence[Place] | Float[np.ndarray, "n 3"]
+Corner = Sequence[float] | Float[np.ndarray, " 2"]
+Corners = Loop | Sequence[Corner]
 Parts = dict[str, list[Primitive]]
 
 STEPS = 10  # sides of a curve between two of its points
@@ -70,9 +73,7 @@ def ring(radius: float, tube: float, at: Place = ORIGIN, axis: str = "z") -> Pri
     return Primitive("ring", _point(at), _upright(way), np.array([radius, tube]))
 
 
-def pipe(
-    points: Sequence[Place], radius: float | Sequence[float], closed: bool = False
-) -> Primitive:
+def pipe(points: Places, radius: float | Sequence[float], closed: bool = False) -> Primitive:
     """A smooth curve through points, with one radius or one at each."""
     radii = np.broadcast_to(np.array(radius, float), len(points))
     nodes = np.concatenate([np.array(points, float), radii[:, None]], 1)
@@ -80,7 +81,7 @@ def pipe(
 
 
 def plate(
-    outline: Loop | Sequence[Sequence[float]],
+    outline: Corners,
     thick: float,
     at: Place = ORIGIN,
     frame: Frame = FLAT,
@@ -93,7 +94,7 @@ def plate(
     return Primitive("layers", _point(at), turn, packed([(-thick / 2, thick / 2, loops)]))
 
 
-def turned(profile: Sequence[Sequence[float]], at: Place = ORIGIN, axis: str = "z") -> Primitive:
+def turned(profile: Corners, at: Place = ORIGIN, axis: str = "z") -> Primitive:
     """A solid of revolution: radius and height of the corners of its section, from the lowest
     around its outside to the highest, and back inside if it is hollow."""
     way = np.eye(3)["xyz".index(axis)]
@@ -116,14 +117,14 @@ def rounded(size: Sequence[float], radius: float, at: Sequence[float] = (0.0, 0.
     return np.array(at) + np.concatenate(corners)
 
 
-def curve(points: Sequence[Sequence[float]]) -> Loop:
+def curve(points: Corners) -> Loop:
     """A smooth open curve through points of a plane."""
     known = np.array(points, float)
     way = np.cumsum([0, *np.linalg.norm(np.diff(known, axis=0), axis=1)])
     return CubicSpline(way, known)(np.linspace(0, way[-1], STEPS * (len(known) - 1) + 1))
 
 
-def closed_curve(points: Sequence[Sequence[float]]) -> Loop:
+def closed_curve(points: Corners) -> Loop:
     """A smooth closed curve through points of a plane."""
     known = np.array([*points, points[0]], float)
     way = np.cumsum([0, *np.linalg.norm(np.diff(known, axis=0), axis=1)])
@@ -131,7 +132,7 @@ def closed_curve(points: Sequence[Sequence[float]]) -> Loop:
     return found(np.linspace(0, way[-1], STEPS * len(points) + 1)[:-1])
 
 
-def turning(loop: Loop | Sequence[Sequence[float]], left: bool = True) -> Loop:
+def turning(loop: Corners, left: bool = True) -> Loop:
     """The loop with its inside on the left, or on the right."""
     corners = np.array(loop, float)
     x, y = corners.T

@@ -1,15 +1,16 @@
 """Arms that the networks know and drew roughly."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
-from core.geometry.parts.primitives import Loop, Primitive
+from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     LEFTWARD,
     SIDE,
+    Corners,
     Parts,
     ball,
     both_sides,
@@ -24,9 +25,7 @@ from core.guidance.builtin.constructed.shapes import (
 )
 
 
-def _bevelled(
-    outline: Loop | Sequence[Sequence[float]], thick: float, rim: float = 0.012
-) -> list[Primitive]:
+def _bevelled(outline: Corners, thick: float, rim: float = 0.012) -> list[Primitive]:
     """A plate that looks to the front, thinner along its edge."""
     loop = np.array(outline, float)
     middle = (loop.min(0) + loop.max(0)) / 2
