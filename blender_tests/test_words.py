@@ -212,7 +212,7 @@ class Recorder:
         self.__dict__[name] = value
 
 
-@pytest.mark.parametrize("prompt", ["a red wooden office chair", "a slug and a samovar", "red"])
+@pytest.mark.parametrize("prompt", ["a red wooden office chair", "a slug and a minaret", "red"])
 def test_the_panel_shows_it_in_a_few_short_lines(settings, prompt, monkeypatch):
     from fantasia3d_addon.ui import text
 

@@ -353,13 +353,9 @@ OF_A_GROUP = {
     "Small Things": "plastic",
     "Flags and Signs": "paint",
     "Plants": "leaf",
-    "Kitchen and Bath": "plastic",
-    "Garden and Leisure": "plastic",
-    "Laboratory and Workshop": "plastic",
-    "Stage and Studio": "plastic",
-    "Odd Vehicles and Games": "plastic",
-    "Engines of War": "wooden",
-    "Monuments": "stone",
+    "House and Garden": "plastic",
+    "Workshop and Studio": "plastic",
+    "Monuments and Machines": "paint",
 }
 
 # Transmitted fraction of the light for parts of glass by nature that one looks through. All other

@@ -19,6 +19,7 @@ from core.guidance.builtin.constructed.themes.desk_and_workshop import DESK_AND_
 from core.guidance.builtin.constructed.themes.desk_machines import DESK_MACHINES
 from core.guidance.builtin.constructed.themes.desk_tools import DESK_TOOLS
 from core.guidance.builtin.constructed.themes.engines_of_war import ENGINES_OF_WAR
+from core.guidance.builtin.constructed.themes.fair_and_towers import FAIR_AND_TOWERS
 from core.guidance.builtin.constructed.themes.film import FILM
 from core.guidance.builtin.constructed.themes.garden import GARDEN
 from core.guidance.builtin.constructed.themes.guitars import GUITARS
@@ -26,6 +27,7 @@ from core.guidance.builtin.constructed.themes.gymnasium import GYMNASIUM
 from core.guidance.builtin.constructed.themes.household import HOUSEHOLD
 from core.guidance.builtin.constructed.themes.kitchen_tools import KITCHEN_TOOLS
 from core.guidance.builtin.constructed.themes.laboratory import LABORATORY
+from core.guidance.builtin.constructed.themes.large_ships import LARGE_SHIPS
 from core.guidance.builtin.constructed.themes.monuments import MONUMENTS
 from core.guidance.builtin.constructed.themes.monuments_of_stone import MONUMENTS_OF_STONE
 from core.guidance.builtin.constructed.themes.music import MUSIC
@@ -43,6 +45,7 @@ from core.guidance.builtin.constructed.themes.sights import SIGHTS
 from core.guidance.builtin.constructed.themes.smoking import SMOKING
 from core.guidance.builtin.constructed.themes.spacecraft import SPACECRAFT
 from core.guidance.builtin.constructed.themes.stage import STAGE
+from core.guidance.builtin.constructed.themes.tools_and_care import TOOLS_AND_CARE
 from core.guidance.builtin.constructed.themes.treehouse_and_tank import TREEHOUSE_AND_TANK
 from core.guidance.builtin.constructed.themes.workshop import WORKSHOP
 from core.guidance.builtin.solid_net import SolidNet
@@ -77,6 +80,7 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **BRASS,
     **BUILDINGS,
     **RAILS_AND_ROADS,
+    **TOOLS_AND_CARE,
     **TREEHOUSE_AND_TANK,
     **GUITARS,
     **DESK_MACHINES,
@@ -87,6 +91,8 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **SEWING,
     **SIGHTS,
     **FILM,
+    **FAIR_AND_TOWERS,
+    **LARGE_SHIPS,
     **STAGE,
     **WORKSHOP,
 }

@@ -63,6 +63,7 @@ from core.guidance.builtin.nouns.statues_and_body_parts import STATUES_AND_BODY_
 from core.guidance.builtin.nouns.street_and_playground import STREET_AND_PLAYGROUND
 from core.guidance.builtin.nouns.tables_cabinets_and_lamps import TABLES_CABINETS_AND_LAMPS
 from core.guidance.builtin.nouns.tableware_and_textiles import TABLEWARE_AND_TEXTILES
+from core.guidance.builtin.nouns.tools_and_care import TOOLS_AND_CARE
 from core.guidance.builtin.nouns.toys_and_games import TOYS_AND_GAMES
 from core.guidance.builtin.nouns.trains_cycles_and_carts import TRAINS_CYCLES_AND_CARTS
 from core.guidance.builtin.nouns.trucks_buses_and_tractors import TRUCKS_BUSES_AND_TRACTORS
@@ -98,13 +99,9 @@ GROUPS: dict[str, dict[str, Noun]] = {  # as a menu shows them
     "Sport": SPORT,
     "Tools and Toys": HAND_TOOLS | TOYS_AND_GAMES,
     "Instruments": INSTRUMENTS,
-    "Kitchen and Bath": COOKING_AND_BATH,
-    "Garden and Leisure": GARDEN_AND_LEISURE,
-    "Laboratory and Workshop": LABORATORY_AND_WORKSHOP,
-    "Stage and Studio": STAGE_AND_STUDIO,
-    "Monuments": MONUMENTS,
-    "Odd Vehicles and Games": ODD_VEHICLES_AND_GAMES,
-    "Engines of War": ENGINES_OF_WAR,
+    "House and Garden": COOKING_AND_BATH | GARDEN_AND_LEISURE | TOOLS_AND_CARE,
+    "Workshop and Studio": LABORATORY_AND_WORKSHOP | STAGE_AND_STUDIO,
+    "Monuments and Machines": MONUMENTS | ENGINES_OF_WAR | ODD_VEHICLES_AND_GAMES,
 }
 _ALL = {noun: row for group in GROUPS.values() for noun, row in group.items()}
 # The networks' rows; then what is another thing's solid, and what no network draws.

@@ -83,8 +83,8 @@ ADVENTURE_PROPS = {
         Usual(0.2, STEEL, 0.5),
     ),
     "staff": Noun(
-        "wizard staff, magic staff; sceptre, scepter, magic stick, walking "
-        "stick, cane, walking cane, shepherd's crook, crook, crutch",
+        "wizard staff, magic staff; sceptre, scepter, magic stick, walking stick, cane, "
+        "walking cane, shepherd's crook, crook",
         {"shaft": "*6b4424 grain", "crystal": "+58c8f0 . glass", "fork": "&5a3a20 grain"},
         Usual(1.8, WOOD, 0.096),
     ),

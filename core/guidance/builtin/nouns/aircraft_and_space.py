@@ -39,6 +39,7 @@ AIRCRAFT_AND_SPACE = {
             "wheels": TYRES_LOOK,
         },
         Usual(8.0, STEEL, 0.01),
+        constructed=True,
     ),
     "fighter jet": Noun(
         "jet fighter, fighter plane, jet, jet plane, fighter aircraft, jet aircraft, fighter jets, "
@@ -122,6 +123,7 @@ AIRCRAFT_AND_SPACE = {
             "tiles": "-2b2b2e",
         },
         Usual(37.0, STEEL, 0.0028),
+        constructed=True,
     ),
     "spaceship": Noun(
         "space ship, spacecraft, starship; star fighter, starfighter, x wing, "

@@ -57,7 +57,8 @@ BOATS_AND_SHIPS = {
             "anchor": "-24508c",
             "keel": "+2c3f5e . paint",
         },
-        Usual(9.0, WOOD, 0.1),
+        Usual(9.0, WOOD, 0.35),
+        constructed=True,
     ),
     "yacht": Noun(
         "yachts, motor yacht, motor yachts, luxury yacht, super yacht, superyacht, mega yacht, "
@@ -141,7 +142,8 @@ BOATS_AND_SHIPS = {
             "ribs": "~a8530f . paint",
             "ridges": "~1c675d . paint",
         },
-        Usual(150.0, STEEL, 0.0044),
+        Usual(150.0, STEEL, 0.021),
+        constructed=True,
     ),
     "cruise ship": Noun(
         "cruise ships, cruise liner, cruise liners, ocean liner, ocean liners, cruiseship, "
@@ -156,7 +158,8 @@ BOATS_AND_SHIPS = {
             "lifeboats": "+f08a24 . plastic",
             "portholes": "-ffe6a3 . glass",
         },
-        Usual(300.0, STEEL, 0.004),
+        Usual(300.0, STEEL, 0.0097),
+        constructed=True,
     ),
     "submarine": Noun(
         "sub, u boat, submarine boat",

@@ -155,9 +155,9 @@ DISHES_AND_GROCERIES = {
         Usual(0.15, FLESH),
     ),
     "can": Noun(
-        "soda can, tin can, beverage can; beer can, soup can, energy drink, can of soda, can of "
-        "beans, can of soup, canned food, canned beans, canned soup, canned fish, soda, cola, "
-        "coke, pepsi, spray can, aerosol can, paint can",
+        "soda can, tin can, beverage can; beer can, soup can, energy drink, can of soda, can "
+        "of beans, can of soup, canned food, canned beans, canned soup, canned fish, soda, "
+        "cola, coke, pepsi, spray can, aerosol can",
         {
             "label": "*c91f25 . paint",
             "can": "+b9bdc2 . metal",

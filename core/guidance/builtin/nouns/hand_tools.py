@@ -220,6 +220,7 @@ HAND_TOOLS = {
             "knobs": "-2f3236",
         },
         Usual(0.4, STEEL, 0.15),
+        constructed=True,
     ),
     "telescope": Noun(
         "refractor telescope",

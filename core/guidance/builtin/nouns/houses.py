@@ -143,6 +143,7 @@ HOUSES = {
             "mullions": "-d3c5a6",
         },
         Usual(150.0, STONE, 0.12),
+        constructed=True,
     ),
     "barn": Noun(
         "barns, red barn, farm barn; stable, horse stable, cow shed",

@@ -131,7 +131,7 @@ SEATS_AND_BEDS = {
         Usual(0.9, FABRIC, 0.1),
     ),
     "bed": Noun(
-        "; mattress, gurney, stretcher, hospital bed",
+        "; mattress",
         {
             "blanket": "+3f6ea8",
             "mattress": "-ebe6dc",

@@ -240,6 +240,7 @@ STREET_AND_PLAYGROUND = {
             "horses": "+f6f2ea",
         },
         Usual(9.0, WOOD, 0.1),
+        constructed=True,
     ),
     "ferris wheel": Noun(
         "ferriswheel, observation wheel; london eye, fun fair ride",
@@ -252,5 +253,6 @@ STREET_AND_PLAYGROUND = {
             "base": "-7d7f84 . stone",
         },
         Usual(30.0, STEEL, 0.003),
+        constructed=True,
     ),
 }

@@ -9,8 +9,8 @@ TABLES_CABINETS_AND_LAMPS = {
         Usual(1.4, WOOD, 0.24),
     ),
     "desk": Noun(
-        "writing desk, office desk, computer desk; workbench, school desk, vanity, vanity "
-        "table, drafting table",
+        "writing desk, office desk, computer desk; school desk, vanity, vanity table, "
+        "drafting table",
         {
             "top": "*a06a38 grain",
             "body": "*8f5c30 grain",

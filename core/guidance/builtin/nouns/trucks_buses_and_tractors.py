@@ -188,7 +188,8 @@ TRUCKS_BUSES_AND_TRACTORS = {
             "vents": "-2b2c2e . plastic",
             "links": "-5a5c5e . metal",
         },
-        Usual(8.0, STEEL, 0.04),
+        Usual(8.0, STEEL, 0.06),
+        constructed=True,
     ),
     "steamroller": Noun(
         "steam roller, road roller, roadroller, steamrollers; compactor, roller compactor",

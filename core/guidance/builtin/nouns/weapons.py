@@ -69,7 +69,8 @@ WEAPONS = {
             "collar": "&5a5f66 . metal",
             "pegs": "+4a2c1a grain",
         },
-        Usual(1.7, WOOD, 0.045),
+        Usual(1.7, WOOD, 0.33),
+        constructed=True,
     ),
     "trident": Noun(
         "tridents, poseidon trident, poseidon's trident, neptune trident, neptune's trident; "

@@ -5,7 +5,6 @@
 NEAREST = {
     "cutting board": "knife block",
     "curtain": "folding screen, room divider",
-    "saw": "hand plane, block plane, bench plane, jack plane, wood plane",
     "can": "paint tube",
     "mug": "pen holder, pencil holder, pencil cup",
     "bottle": "cocktail shaker",
@@ -125,7 +124,7 @@ REAL = frozenset(
     coroner corps corpses corral corset costing coulter counted countess coup couple
     couples cove coven covert cowell craft crafts cram crap crater craven creamy create
     creates cree creek creep creeps crew crews crises crock crocker crooks crops crotch
-    crouch crowd crowds crowe crunch crusade crusty crutches curate curtail cyclones dairy
+    crouch crowd crowds crowe crunch crusade crusty curate curtail cyclones dairy
     dance danced dances danger dangers darth defective defer demo demos denied denies
     denis detain deter deterrent devi diced dicey dictionaries dill dine ding dinner
     dinners dion dirt dishy diva divas dive divert dives dogg dolly dolores done donor
