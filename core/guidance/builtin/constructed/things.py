@@ -19,8 +19,10 @@ from core.guidance.builtin.constructed.themes.desk_and_workshop import DESK_AND_
 from core.guidance.builtin.constructed.themes.desk_machines import DESK_MACHINES
 from core.guidance.builtin.constructed.themes.desk_tools import DESK_TOOLS
 from core.guidance.builtin.constructed.themes.engines_of_war import ENGINES_OF_WAR
-from core.guidance.builtin.constructed.themes.fair_and_towers import FAIR_AND_TOWERS
+from core.guidance.builtin.constructed.themes.fair import FAIR
+from core.guidance.builtin.constructed.themes.fasteners import FASTENERS
 from core.guidance.builtin.constructed.themes.film import FILM
+from core.guidance.builtin.constructed.themes.games_hall import GAMES_HALL
 from core.guidance.builtin.constructed.themes.garden import GARDEN
 from core.guidance.builtin.constructed.themes.guitars import GUITARS
 from core.guidance.builtin.constructed.themes.gymnasium import GYMNASIUM
@@ -28,16 +30,19 @@ from core.guidance.builtin.constructed.themes.household import HOUSEHOLD
 from core.guidance.builtin.constructed.themes.kitchen_tools import KITCHEN_TOOLS
 from core.guidance.builtin.constructed.themes.laboratory import LABORATORY
 from core.guidance.builtin.constructed.themes.large_ships import LARGE_SHIPS
+from core.guidance.builtin.constructed.themes.missiles import MISSILES
 from core.guidance.builtin.constructed.themes.monuments import MONUMENTS
 from core.guidance.builtin.constructed.themes.monuments_of_stone import MONUMENTS_OF_STONE
 from core.guidance.builtin.constructed.themes.music import MUSIC
 from core.guidance.builtin.constructed.themes.ninja_and_ropes import NINJA_AND_ROPES
 from core.guidance.builtin.constructed.themes.old_crafts import OLD_CRAFTS
 from core.guidance.builtin.constructed.themes.one_wheel_and_more import ONE_WHEEL_AND_MORE
+from core.guidance.builtin.constructed.themes.paint_and_wood import PAINT_AND_WOOD
 from core.guidance.builtin.constructed.themes.pets_and_terrace import PETS_AND_TERRACE
 from core.guidance.builtin.constructed.themes.playgrounds import PLAYGROUNDS
 from core.guidance.builtin.constructed.themes.rails_and_roads import RAILS_AND_ROADS
 from core.guidance.builtin.constructed.themes.redrawn import REDRAWN
+from core.guidance.builtin.constructed.themes.sailboat_and_excavator import SAILBOAT_AND_EXCAVATOR
 from core.guidance.builtin.constructed.themes.sewing import SEWING
 from core.guidance.builtin.constructed.themes.ships import SHIPS
 from core.guidance.builtin.constructed.themes.siege import SIEGE
@@ -45,7 +50,9 @@ from core.guidance.builtin.constructed.themes.sights import SIGHTS
 from core.guidance.builtin.constructed.themes.smoking import SMOKING
 from core.guidance.builtin.constructed.themes.spacecraft import SPACECRAFT
 from core.guidance.builtin.constructed.themes.stage import STAGE
+from core.guidance.builtin.constructed.themes.structures import STRUCTURES
 from core.guidance.builtin.constructed.themes.tools_and_care import TOOLS_AND_CARE
+from core.guidance.builtin.constructed.themes.towers_and_flight import TOWERS_AND_FLIGHT
 from core.guidance.builtin.constructed.themes.treehouse_and_tank import TREEHOUSE_AND_TANK
 from core.guidance.builtin.constructed.themes.workshop import WORKSHOP
 from core.guidance.builtin.solid_net import SolidNet
@@ -66,13 +73,16 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **OLD_CRAFTS,
     **NINJA_AND_ROPES,
     **GYMNASIUM,
+    **GAMES_HALL,
     **LABORATORY,
     **MONUMENTS,
     **MONUMENTS_OF_STONE,
     **BRIDGES_AND_STRUCTURES,
+    **STRUCTURES,
     **ONE_WHEEL_AND_MORE,
     **BOATS_AND_CABINS,
     **SPACECRAFT,
+    **MISSILES,
     **PETS_AND_TERRACE,
     **SMOKING,
     **REDRAWN,
@@ -81,6 +91,7 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **BUILDINGS,
     **RAILS_AND_ROADS,
     **TOOLS_AND_CARE,
+    **PAINT_AND_WOOD,
     **TREEHOUSE_AND_TANK,
     **GUITARS,
     **DESK_MACHINES,
@@ -91,10 +102,13 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **SEWING,
     **SIGHTS,
     **FILM,
-    **FAIR_AND_TOWERS,
+    **TOWERS_AND_FLIGHT,
+    **FAIR,
     **LARGE_SHIPS,
+    **SAILBOAT_AND_EXCAVATOR,
     **STAGE,
     **WORKSHOP,
+    **FASTENERS,
 }
 
 
