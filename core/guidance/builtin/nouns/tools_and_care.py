@@ -35,18 +35,17 @@ TOOLS_AND_CARE: dict[str, Noun] = {
             "roller": "*3f7fc8 . fabric",
             "wire": "-9aa1a8 . metal",
             "grip": "+d8352c . plastic",
-            "paint": "*3f7fc8 . plastic",
+            "coat": "*3f7fc8 . plastic",
         },
         Usual(0.4, FABRIC),
         constructed=True,
     ),
     "paint bucket": Noun(
-        "paint can, paint tin, tin of paint, can of paint, bucket of paint, paint pot, paint "
-        "buckets, paint cans",
+        "paint can, paint tin, tin of paint, can of paint, paint pot, paint buckets, paint cans",
         {
             "tin": "-b9bfc6 . metal",
             "label": "+f4f4f2",
-            "paint": "*3f7fc8 . plastic",
+            "coat": "*3f7fc8 . plastic",
             "handle": "-8d949b . metal",
             "brush": "-c9975a . wooden",
         },

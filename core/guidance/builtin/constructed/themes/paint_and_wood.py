@@ -78,7 +78,7 @@ def _paint_roller(draw: Draw) -> Parts:
             for x, d in ((-0.28, 0.2), (0.02, 0.12), (0.3, 0.26))
         ),
     ]
-    return {"roller": [*roller], "wire": [*wire, *caps], "grip": grip, "paint": paint}
+    return {"roller": [*roller], "wire": [*wire, *caps], "grip": grip, "coat": paint}
 
 
 def _paint_bucket(draw: Draw) -> Parts:
@@ -143,7 +143,7 @@ def _paint_bucket(draw: Draw) -> Parts:
         rod((0.1, 0.1, high - 0.05), (0.34, 0.34, high + 0.5), 0.035, 0.05),
         box((0.24, 0.09, 0.14), (0.07, 0.07, high - 0.08), 0.01, (0, 20, 45)),
     ]
-    return {"tin": tin, "label": label, "paint": paint, "handle": handle, "brush": brush}
+    return {"tin": tin, "label": label, "coat": paint, "handle": handle, "brush": brush}
 
 
 def _chisel(draw: Draw) -> Parts:
