@@ -30,9 +30,9 @@ ORIGIN = (0.0, 0.0, 0.0)
 FLAT = np.eye(3)
 FRONT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 SIDE = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-# The axes in which the heights of what is turned go along -x, -y and +y.
+# The axes in which the heights of what is turned go along -x, x and y; in ``FRONT``, along -y.
 LEFTWARD = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-FORWARD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+RIGHTWARD = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
 BACKWARD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 EDGE = 0.05  # training units, of the meshes that a thing is measured by
 

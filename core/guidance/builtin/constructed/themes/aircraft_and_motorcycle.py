@@ -8,6 +8,8 @@ from scipy.spatial.transform import Rotation
 from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
+    BACKWARD,
+    FRONT,
     SIDE,
     Parts,
     ball,
@@ -31,8 +33,7 @@ def _helicopter(draw: Draw) -> Parts:
     blades, reach = 2 + draw.which(3), draw(0.98, 1.1)
     cabin = [(0, -0.72), (0.16, -0.7), (0.3, -0.58), (0.37, -0.36), (0.38, -0.1), (0.34, 0.2)]
     cabin += [(0.24, 0.44), (0.13, 0.62), (0, 0.66)]
-    forward = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-    body = placed([turned(curve(cabin))], forward, (0, -0.02, 0))
+    body = placed([turned(curve(cabin))], BACKWARD, (0, -0.02, 0))
     body += [rod((0, 0.3, 0.1), (0, 1.36, 0.17), 0.15, 0.062)]
     body += [capsule((0, -0.12, 0.33), (0, 0.42, 0.27), 0.16, 0.12)]
     fin = [(1.2, 0.15), (1.32, 0.14), (1.52, 0.56), (1.4, 0.57)]
@@ -71,8 +72,7 @@ def _fighter_jet(draw: Draw) -> Parts:
     span, sweep = draw(0.82, 0.95), draw(0.28, 0.4)
     nose = [(0, -1.3), (0.025, -1.25), (0.09, -1.02), (0.14, -0.8), (0.165, -0.5), (0.17, 0.2)]
     nose += [(0.15, 0.75), (0, 0.75)]
-    forward = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-    body = placed([turned(nose)], forward)
+    body = placed([turned(nose)], BACKWARD)
     engine = [box((0.22, 1.25, 0.22), (0.18, 0.18, -0.03), 0.05)]
     inlet = [(-0.62, 0.1), (-0.44, 0.1), (-0.3, 0.11), (-0.3, -0.14), (-0.52, -0.14)]
     engine += [plate(inlet, 0.2, (0.185, 0, 0), SIDE)]
@@ -97,8 +97,7 @@ def _fighter_jet(draw: Draw) -> Parts:
         (0.085, 0.1),
         (0.0, 0.06),
     ]
-    back = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-    nozzles = placed([turned([(0, 0), *mouth[1:]])], back, (0.165, 0.72, -0.02))
+    nozzles = placed([turned([(0, 0), *mouth[1:]])], BACKWARD, (0.165, 0.72, -0.02))
     missiles = []
     for x, y in ((span, 0.12), (0.62 * span, 0.08)):
         z = 0.0 if x == span else -0.1
@@ -199,10 +198,9 @@ def _motorcycle(draw: Draw) -> Parts:
             "y",
         )
     ]
-    shell = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
     handle = list(handle[:-1]) + placed(
         [turned([(0, 0), (0.05, 0.0), (0.11, 0.06), (0.125, 0.15), (0, 0.15)])],
-        shell,
+        FRONT,
         (0, -0.56, 0.87),
     )
     lamp = [ball((0.105, 0.05, 0.105), (0, -0.71, 0.87))]
@@ -232,8 +230,7 @@ def _spaceship(draw: Draw) -> Parts:
         (0.14, 0.74),
         (0, 0.74),
     ]
-    back = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-    hull = placed([turned(nose)], back)
+    hull = placed([turned(nose)], BACKWARD)
     hull += [
         box((0.36, 0.9, 0.16), (0, 0.2, -0.1), 0.05),
         capsule((0, 0.0, 0.14), (0, 0.6, 0.12), 0.14, 0.1),
@@ -280,10 +277,10 @@ def _spaceship(draw: Draw) -> Parts:
         (0.085, 0.16),
         (0, 0.16),
     ]
-    engines = placed([turned(cell)], back, (0.28, 0.6, 0.0))
+    engines = placed([turned(cell)], BACKWARD, (0.28, 0.6, 0.0))
     engines += [ring(0.15, 0.02, (0.28, 0.66, 0.0), "y"), ring(0.152, 0.02, (0.28, 0.54, 0.0), "y")]
     flame = [(0, 0.1), (0.09, 0.12), (0.092, 0.24), (0.05, 0.42), (0, 0.56)]
-    flames = placed([turned([*flame])], back, (0.28, 0.6, 0.0))
+    flames = placed([turned([*flame])], BACKWARD, (0.28, 0.6, 0.0))
     canopy = [ball((0.13, 0.34, 0.13), (0, -0.34, 0.16), (-5, 0, 0))]
     return {
         "hull": hull,

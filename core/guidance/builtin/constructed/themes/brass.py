@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     LEFTWARD,
+    RIGHTWARD,
     Parts,
     ball,
     capsule,
@@ -112,8 +113,7 @@ def _trumpet(draw: Draw) -> Parts:
         ]
         buttons += [rod((x, -0.04, 0.31), (x, -0.04, 0.345), 0.045, rim=0.01)]
     cup = [(0, 0), (0.03, 0.0), (0.032, 0.12), (0.06, 0.18), (0.075, 0.2), (0.06, 0.215), (0, 0.18)]
-    right = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
-    mouth = placed([turned(cup)], right, (0.68, 0.0, rise - 0.06))
+    mouth = placed([turned(cup)], RIGHTWARD, (0.68, 0.0, rise - 0.06))
     return {"body": body, "valves": valves, "buttons": buttons, "mouthpiece": mouth}
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import SQUARE, arch_opening
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     Parts,
@@ -17,7 +18,6 @@ from core.guidance.builtin.constructed.shapes import (
     plate,
     rod,
 )
-from core.guidance.builtin.constructed.themes.monuments import arch_opening
 
 
 def _suspension_bridge(draw: Draw) -> Parts:
@@ -99,9 +99,8 @@ def _tower_bridge(draw: Draw) -> Parts:
                 at = (x + 0.14 * s, 0.15 * t)
                 stone.append(rod((*at, 0.1), (*at, 0.98), 0.045))
                 roof.append(rod((*at, 0.96), (*at, 1.16), 0.055, 0.004))
-        square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
         roof += [
-            plate(square * (0.13 - 0.012 * k), 0.04, (x, 0, 0.92 + 0.036 * k)) for k in range(10)
+            plate(SQUARE * (0.13 - 0.012 * k), 0.04, (x, 0, 0.92 + 0.036 * k)) for k in range(10)
         ]
         roof += [rod((x, 0, 1.24), (x, 0, 1.4), 0.012)]
         dark += [

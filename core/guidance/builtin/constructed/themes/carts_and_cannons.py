@@ -5,8 +5,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.geometry.parts.primitives import Loop, Primitive
+from core.geometry.parts.primitives import Loop
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import wheel
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     SIDE,
@@ -21,18 +22,8 @@ from core.guidance.builtin.constructed.shapes import (
     plate,
     ring,
     rod,
-    spun,
     turned,
 )
-
-
-def wheel(radius: float, width: float, spokes: int, rim: float = 0.12) -> list[Primitive]:
-    """A spoked cart wheel about the x axis; ``rim``: its height, by the radius."""
-    inner, half = (1 - rim) * radius, width / 2
-    band = [(inner, -half), (radius, -half), (radius, half), (inner, half)]
-    spoke = rod((0, 0, 0), (0, 0, inner + 0.02 * radius), 0.05 * radius, 0.038 * radius)
-    hub = rod((-0.8 * width, 0, 0), (0.8 * width, 0, 0), 0.16 * radius, rim=0.01)
-    return [turned(band, axis="x"), *spun([spoke], spokes, "x"), hub]
 
 
 def _wagon(draw: Draw) -> Parts:
@@ -97,8 +88,7 @@ def _cannon(draw: Draw) -> Parts:
     profile += [(0.19, -0.45), (0.22, -0.41), (0.2, -0.36), (0.195, -0.05), (0.21, -0.04)]
     profile += [(0.21, 0.02), (0.185, 0.03), (0.14, long - 0.12), (0.17, long - 0.06)]
     profile += [(0.185, long), (0.17, long + 0.03), (0.085, long + 0.03), (0.085, long - 0.2)]
-    axis = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    barrel = placed([turned([*profile, (0, long - 0.2)])], tilt @ axis, (0, 0, 0.62))
+    barrel = placed([turned([*profile, (0, long - 0.2)])], tilt @ FRONT, (0, 0, 0.62))
     trunnions = rod((-0.3, 0, 0.6), (0.3, 0, 0.6), 0.055, rim=0.01)
     cheek = [(-0.32, 0.34), (-0.3, 0.56), (-0.12, 0.62), (0.12, 0.62), (0.3, 0.5), (0.5, 0.44)]
     cheek += [(0.7, 0.32), (1.25, 0.06), (1.25, -0.0), (1.05, -0.0), (0.5, 0.2), (0.1, 0.3)]
@@ -133,8 +123,7 @@ def _catapult(draw: Draw) -> Parts:
     beam = Rotation.from_euler("x", -(90 - swing), degrees=True).as_matrix()
     arm = placed([box((0.1, 0.11, 1.25), (0, 0, 0.55), 0.015)], beam, axle)
     bowl = [(0.0, 0.0), (0.1, 0.0), (0.2, 0.07), (0.235, 0.17), (0.205, 0.17), (0.16, 0.09)]
-    facing = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-    cup = placed([turned([*bowl, (0.0, 0.05)])], beam @ facing, beam @ (0, -0.03, 1.3) + axle)
+    cup = placed([turned([*bowl, (0.0, 0.05)])], beam @ FRONT, beam @ (0, -0.03, 1.3) + axle)
     load = beam @ (0, -0.2, 1.3) + np.array(axle)
     rope = [
         rod((x, 0.02, 0.44), (x + 0.05, 0.02, 0.44), 0.1, rim=0.02)

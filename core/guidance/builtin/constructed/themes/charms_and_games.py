@@ -25,9 +25,8 @@ def _open_book(draw: Draw) -> Parts:
     deep, lines = draw(1.1, 1.25), 9 + draw.which(3)
     # From the spine to the right: the pages rise, then fall to the fore edge.
     top = [(0.0, 0.1), (0.08, 0.19), (0.25, 0.22), (0.5, 0.17), (0.76, 0.09)]
-    upright = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
     block = [*top, (0.79, 0.02), (0.0, 0.02)]
-    pages = plate(block, deep - 0.06, (0, 0, 0), upright)
+    pages = plate(block, deep - 0.06, (0, 0, 0), FRONT)
     text = []
     for k in range(lines):
         y = (0.5 - (k + 1) / (lines + 1)) * (deep - 0.16)

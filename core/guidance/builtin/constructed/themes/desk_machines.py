@@ -193,7 +193,7 @@ def _sewing_machine(draw: Draw) -> Parts:
             [(-0.3, -0.08, high - 0.02), (-0.3, -0.14, high - 0.04), (-0.34, -0.14, high - 0.1)],
             0.014,
         ),
-        rod((-0.3, -0.05, high + 0.0), (-0.3, -0.13, high + 0.0), 0.045, rim=0.01),
+        rod((-0.3, -0.05, high), (-0.3, -0.13, high), 0.045, rim=0.01),
     ]
     top = high + 0.1
     spool = [
@@ -213,7 +213,7 @@ def _sewing_machine(draw: Draw) -> Parts:
     ]
     spool += [
         rod((0.24, 0, top + 0.16), (0.24, 0, top + 0.23), 0.016),
-        rod((0.2, -0.03, top + 0.1), (-0.3, -0.11, high + 0.0), 0.0085),
+        rod((0.2, -0.03, top + 0.1), (-0.3, -0.11, high), 0.0085),
     ]
     band = [plate(rounded((0.34, 0.1), 0.03), 0.22, (0.1, 0, high + 0.02), FRONT)]
     band += [plate(rounded((0.05, 0.2), 0.02), 0.22, (0.36, 0, 0.24), FRONT)]

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import wheel
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     SIDE,
@@ -23,7 +24,6 @@ from core.guidance.builtin.constructed.shapes import (
     spun,
     turned,
 )
-from core.guidance.builtin.constructed.themes.carts_and_cannons import wheel
 
 
 def _chariot(draw: Draw) -> Parts:
@@ -309,7 +309,7 @@ def _gun_turret(draw: Draw) -> Parts:
         ]
         tubes += placed(
             [turned([(0, 0), (0.06, 0), (0.06, 0.14), (0.03, 0.14), (0.03, 0.05), (0, 0.05)])],
-            np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]),
+            FRONT,
             (x, -1.16, 0),
         )
     guns += placed(tubes, tilt, (0, -0.36, 0.47))

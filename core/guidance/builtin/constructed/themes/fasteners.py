@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import HEXAGON, screw_thread
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     Parts,
@@ -18,7 +19,6 @@ from core.guidance.builtin.constructed.shapes import (
     rounded,
     turned,
 )
-from core.guidance.builtin.constructed.themes.workshop import HEXAGON, screw_thread
 
 
 def _nail(draw: Draw) -> Parts:

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import star
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     Parts,
@@ -55,8 +56,9 @@ def _clapperboard(draw: Draw) -> Parts:
             (0.22, 0.42, -0.26),
         )
     ]
-    bolts = [rod((-0.6, -0.05, z), (-0.6, 0.05, z), 0.03, rim=0.006) for z in (0.46,)] + [
-        rod((-0.62, -0.052, 0.55), (-0.62, 0.052, 0.55), 0.045, rim=0.006)
+    bolts = [
+        rod((-0.6, -0.05, 0.46), (-0.6, 0.05, 0.46), 0.03, rim=0.006),
+        rod((-0.62, -0.052, 0.55), (-0.62, 0.052, 0.55), 0.045, rim=0.006),
     ]
     return {
         "board": [*board, *placed(arm, way, hinge)],
@@ -111,7 +113,7 @@ def _spotlight(draw: Draw) -> Parts:
                 ]
             )
         ],
-        np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]),
+        FRONT,
     )
     can += [rod((0, y - 0.015, 0), (0, y + 0.015, 0), 0.29, rim=0.006) for y in (0.04, 0.1, 0.16)]
     lens = [rod((0, -0.2, 0), (0, -0.27, 0), 0.246)]
@@ -272,11 +274,8 @@ def _director_chair(draw: Draw) -> Parts:
         plate(rounded((2 * wide + 0.08, 0.36), 0.02), 0.03, (0, 0.34, 1.52), FRONT),
         *both_sides([rod((wide, 0.34, 1.35), (wide, 0.34, 1.7), 0.045)]),
     ]
-    star = [
-        (r * np.sin(a), 1.52 + r * np.cos(a))
-        for a, r in zip(np.arange(10) * np.pi / 5, np.tile([0.13, 0.055], 5), strict=True)
-    ]
-    mark = [plate(star, 0.055, (0, 0.34, 0), FRONT)]
+    outline = star(5, 0.13, 0.055, (0.0, 1.52))
+    mark = [plate(outline, 0.055, (0, 0.34, 0), FRONT)]
     bolts = [rod((0, y - 0.045, 0.46), (0, y + 0.045, 0.46), 0.04, rim=0.008) for y in (-0.3, 0.3)]
     return {"cloth": cloth, "frame": wood, "star": mark, "bolts": bolts}
 

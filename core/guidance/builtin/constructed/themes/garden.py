@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
+    RIGHTWARD,
     SIDE,
     Parts,
     ball,
@@ -224,7 +225,6 @@ def _windsock(draw: Draw) -> Parts:
         ball(0.04, (0, 0, 1.5)),
     ]
     down = Rotation.from_euler("y", drop, degrees=True).as_matrix()
-    right = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
     red, white = [], []
     for k in range(5):
         a, b = 0.2 * k, 0.2 * (k + 1)
@@ -237,10 +237,10 @@ def _windsock(draw: Draw) -> Parts:
         rod((0, -0.17, 0), (0, 0.17, 0), 0.012),
     ]
     at = (0.06, 0, 1.38)
-    pole += [*placed(hoop, down @ right, at), rod((0, 0, 1.38), (0.1, 0, 1.38), 0.018)]
+    pole += [*placed(hoop, down @ RIGHTWARD, at), rod((0, 0, 1.38), (0.1, 0, 1.38), 0.018)]
     return {
-        "stripes": placed(red, down @ right, at),
-        "sleeve": placed(white, down @ right, at),
+        "stripes": placed(red, down @ RIGHTWARD, at),
+        "sleeve": placed(white, down @ RIGHTWARD, at),
         "pole": pole,
     }
 
@@ -285,7 +285,7 @@ def _pergola(draw: Draw) -> Parts:
     rng = np.random.default_rng(draw.which(100))
     leaves, flowers = [], []
     vine = [
-        (wide * np.cos(a * 0.0) + 0.07 * np.cos(3 * a), -deep + 0.07 * np.sin(3 * a), 0.12 * a)
+        (wide + 0.07 * np.cos(3 * a), -deep + 0.07 * np.sin(3 * a), 0.12 * a)
         for a in np.linspace(0, 11, 24)
     ]
     leaves.append(pipe(vine, 0.018))

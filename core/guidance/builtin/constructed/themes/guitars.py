@@ -10,7 +10,6 @@ from core.guidance.builtin.constructed.shapes import (
     SIDE,
     Parts,
     ball,
-    both_sides,
     box,
     circle,
     closed_curve,
@@ -174,9 +173,9 @@ def _electric_guitar(draw: Draw) -> Parts:
             ball((0.022, 0.014, 0.022), (x - 0.055, front + 0.012, z)),
             rod((x + 0.055, front, z), (x + 0.055, front - 0.03, z), 0.014),
         ]
-    bridge += both_sides([])
+
     knobs = [
-        rod((x, front - 0.0, z), (x, front - 0.055, z), 0.034, 0.026, 0.006)
+        rod((x, front, z), (x, front - 0.055, z), 0.034, 0.026, 0.006)
         for x, z in ((0.15, -0.46), (0.2, -0.56), (0.18, -0.67))
     ]
     knobs += [
@@ -184,7 +183,7 @@ def _electric_guitar(draw: Draw) -> Parts:
         ball(0.016, (0.12, front - 0.07, -0.36)),
     ]
     knobs += [
-        rod((s * 0.0 + x, 0, z), (x, 0, z + s * 0.05), 0.016)
+        rod((x, 0, z), (x, 0, z + s * 0.05), 0.016)
         for s, x, z in ((1, -0.25, horn - 0.02), (-1, 0.0, -0.83))
     ]
     return {

@@ -5,8 +5,9 @@ from collections.abc import Callable
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from core.geometry.parts.primitives import Loop, Primitive
+from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import SQUARE, arch_opening
 from core.guidance.builtin.constructed.shapes import (
     FLAT,
     FRONT,
@@ -27,21 +28,12 @@ from core.guidance.builtin.constructed.shapes import (
 )
 
 
-def arch_opening(wide: float, high: float, sides: int = 11) -> Loop:
-    """An opening with a round head, on the ground, by its width and its whole height."""
-    half = wide / 2
-    angle = np.linspace(0, np.pi, sides)
-    head = [(half * np.cos(a), high - half + half * np.sin(a)) for a in angle]
-    return np.array([(half, 0.0), *head, (-half, 0.0)])
-
-
 def _statue_of_liberty(draw: Draw) -> Parts:
     turn = np.arange(22) * 2 * np.pi / 22
     star = [
         (r * np.cos(a), r * np.sin(a)) for a, r in zip(turn, np.tile([0.56, 0.44], 11), strict=True)
     ]
-    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
-    base = [plate(star, 0.16, (0, 0, 0.08)), plate(0.42 * square, 0.1, (0, 0, 0.19))]
+    base = [plate(star, 0.16, (0, 0, 0.08)), plate(0.42 * SQUARE, 0.1, (0, 0, 0.19))]
     for half, z, thick in (
         (0.34, 0.27, 0.1),
         (0.27, 0.5, 0.4),
@@ -50,7 +42,7 @@ def _statue_of_liberty(draw: Draw) -> Parts:
         (0.28, 0.85, 0.04),
         (0.21, 0.9, 0.09),
     ):
-        base.append(plate(half * square, thick, (0, 0, z)))
+        base.append(plate(half * SQUARE, thick, (0, 0, z)))
     base += spun([box((0.1, 0.03, 0.24), (x, -0.275, 0.5), 0.005) for x in (-0.17, 0, 0.17)], 4)
     foot = 0.93
     robe = [
@@ -140,8 +132,8 @@ def _statue_of_liberty(draw: Draw) -> Parts:
 def _colosseum(draw: Draw) -> Parts:
     count, floors = 28, 4
     stone, inner = [], []
-    height, high = 0.17, 0.62
-    ring_of = lambda r, grow=1.0: np.stack([grow * r * np.cos(t), 0.84 * grow * r * np.sin(t)], 1)  # noqa: E731
+    height = 0.17
+
     t = np.linspace(0, 2 * np.pi, 97)[:-1]
     low = draw(2.2, 2.6)
 
@@ -150,7 +142,6 @@ def _colosseum(draw: Draw) -> Parts:
             low + 0.35 * (level - 2) < angle % (2 * np.pi) + 1.0 < low + 2.6 + 0.25 * (level - 2)
         )
 
-    del ring_of
     for level in range(floors):
         z = level * height
         for k in range(count):
@@ -192,7 +183,7 @@ def _colosseum(draw: Draw) -> Parts:
     floor = np.stack([0.5 * np.cos(t), 0.42 * np.sin(t)], 1)
     sand = [plate(floor, 0.06, (0, 0, 0.015))]
     base = np.stack([1.14 * np.cos(t), 0.98 * np.sin(t)], 1)
-    del high
+
     return {
         "walls": stone,
         "stands": inner,

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import SQUARE, arch_opening
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     SIDE,
@@ -19,7 +20,6 @@ from core.guidance.builtin.constructed.shapes import (
     spun,
     turned,
 )
-from core.guidance.builtin.constructed.themes.monuments import arch_opening
 
 
 def _big_ben(draw: Draw) -> Parts:
@@ -60,14 +60,13 @@ def _big_ben(draw: Draw) -> Parts:
     stone += spun(belfry, 4)
     stone += [box((0.26, 0.26, 0.2), (0, 0, high + 0.56))]
     top = high + 0.66
-    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
     roof = [
-        plate(square * (0.21 - 0.011 * k), 0.032, (0, 0, top + 0.012 + 0.03 * k)) for k in range(9)
+        plate(SQUARE * (0.21 - 0.011 * k), 0.032, (0, 0, top + 0.012 + 0.03 * k)) for k in range(9)
     ]
     mid = top + 0.26
     roof += [box((0.22, 0.22, 0.1), (0, 0, mid + 0.04), 0.006)]
     roof += [
-        plate(square * (0.115 - 0.0105 * k), 0.038, (0, 0, mid + 0.1 + 0.036 * k))
+        plate(SQUARE * (0.115 - 0.0105 * k), 0.038, (0, 0, mid + 0.1 + 0.036 * k))
         for k in range(10)
     ]
     tips = [
@@ -161,12 +160,7 @@ def _sphinx(draw: Draw) -> Parts:
         ball((0.2, 0.19, 0.2), (0, -0.44, 0.95)),
         capsule((0, -0.34, 0.9), (0, -0.2, 0.6), 0.16, 0.12),
     ]
-    bands = [
-        box((0.13, 0.3, 0.028), (s * (0.25 + 0.012 * k), -0.46, 0.55 + 0.075 * k - 0.02), 0.01)
-        for s in (-1, 1)
-        for k in ()
-    ]
-    bands += both_sides(
+    bands = both_sides(
         [
             box(
                 (0.145 - 0.012 * k, 0.285, 0.03), (0.245 - 0.012 * k, -0.46, 0.56 + 0.085 * k), 0.01
@@ -284,11 +278,10 @@ def _hedge_maze(draw: Draw) -> Parts:
     rim = n * size
     hedges += [box((0.09, rim + 0.09, 0.22), (s * rim / 2, 0, 0.11), 0.02) for s in (-1, 1)]
     for s in (-1, 1):
-        gap = -s * (rim / 2 - size / 2)
         hedges.append(
             box(
                 (rim - size, 0.09, 0.22),
-                (gap - np.sign(gap) * rim / 2 if False else s * size / 2, s * rim / 2, 0.11),
+                (s * size / 2, s * rim / 2, 0.11),
                 0.02,
             )
         )
@@ -314,11 +307,10 @@ def _ziggurat(draw: Draw) -> Parts:
     side, z = 1.0, 0.0
     for k in range(tiers):
         high = 0.24 - 0.02 * k
-        square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
         for m in range(6):
             stone.append(
                 plate(
-                    square * (side - 0.012 * m), high / 6 + 0.006, (0, 0, z + (m + 0.5) * high / 6)
+                    SQUARE * (side - 0.012 * m), high / 6 + 0.006, (0, 0, z + (m + 0.5) * high / 6)
                 )
             )
         stone += spun(
@@ -328,7 +320,7 @@ def _ziggurat(draw: Draw) -> Parts:
             ],
             4,
         )
-        stone.append(plate(square * (side - 0.045), 0.03, (0, 0, z + high)))
+        stone.append(plate(SQUARE * (side - 0.045), 0.03, (0, 0, z + high)))
         z += high
         side -= 0.19
     rise = z

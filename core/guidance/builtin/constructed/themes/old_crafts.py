@@ -5,7 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import SQUARE, wheel
 from core.guidance.builtin.constructed.shapes import (
+    BACKWARD,
     FRONT,
     Parts,
     ball,
@@ -21,7 +23,6 @@ from core.guidance.builtin.constructed.shapes import (
     spun,
     turned,
 )
-from core.guidance.builtin.constructed.themes.carts_and_cannons import wheel
 
 
 def _spinning_wheel(draw: Draw) -> Parts:
@@ -153,7 +154,7 @@ def _forge(draw: Draw) -> Parts:
     ]
     hood = [
         plate(
-            np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (0.52 - 0.034 * k, 0.36 - 0.018 * k),
+            SQUARE * (0.52 - 0.034 * k, 0.36 - 0.018 * k),
             0.06,
             (0, 0.06 + 0.012 * k, 1.22 + 0.052 * k),
         )
@@ -191,7 +192,7 @@ def _forge(draw: Draw) -> Parts:
             [(0, -0.18), (0.5, -0.05), (0.5, 0.05), (0, 0.18)],
             0.3,
             (0.86, 0.2, 0.62),
-            np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]]),
+            BACKWARD,
         )
     ]
     tools = [

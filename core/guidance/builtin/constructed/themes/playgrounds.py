@@ -6,6 +6,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import SQUARE
 from core.guidance.builtin.constructed.shapes import (
     SIDE,
     Parts,
@@ -133,9 +134,8 @@ def _playground(draw: Draw) -> Parts:
     deck += [box((0.62, 0.62, 0.05), (0, 0, 0.6), 0.008)]
     deck += [box((0.56, 0.03, 0.07), (0, 0.28, z), 0.008) for z in (0.74, 0.86)]
     deck += [box((0.05, 0.03, 0.28), (x, 0.28, 0.74), 0.008) for x in (-0.18, -0.06, 0.06, 0.18)]
-    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
     roof += [
-        plate(square * (0.42 - 0.055 * k), 0.06, (0, 0, 1.29 + 0.05 * k)) for k in range(7)
+        plate(SQUARE * (0.42 - 0.055 * k), 0.06, (0, 0, 1.29 + 0.05 * k)) for k in range(7)
     ] + [ball(0.05, (0, 0, 1.64))]
     chute = [(-0.26, 0.62), (-0.4, 0.6), (-0.9, 0.16), (-1.05, 0.1), (-1.2, 0.1)]
     line = np.array(chute)

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import wheel
 from core.guidance.builtin.constructed.shapes import (
-    FORWARD,
     FRONT,
     SIDE,
     Parts,
@@ -23,7 +23,6 @@ from core.guidance.builtin.constructed.shapes import (
     rounded,
     turned,
 )
-from core.guidance.builtin.constructed.themes.carts_and_cannons import wheel
 
 
 def _train(draw: Draw) -> Parts:
@@ -31,7 +30,7 @@ def _train(draw: Draw) -> Parts:
     z, r = 0.62, 0.27
     drum = [(0, -0.35), (r, -0.35), (r, long - 0.34), (r + 0.02, long - 0.33), (r + 0.02, long)]
     drum += [(r - 0.02, long + 0.02), (0.2, long + 0.03), (0.18, long + 0.06), (0, long + 0.06)]
-    boiler = placed([turned(drum)], FORWARD, (0, 0.28, z))
+    boiler = placed([turned(drum)], FRONT, (0, 0.28, z))
     front = 0.28 - long
     boiler += [
         rod((-0.05, front - 0.05, z), (0.05, front - 0.05, z), 0.03),
@@ -142,7 +141,7 @@ def _train(draw: Draw) -> Parts:
     axles += [rod((-0.31, y, 0.14), (0.31, y, 0.14), 0.03) for y in (front + 0.08, front + 0.36)]
     lamp = [
         rod((0, front + 0.02, z + r + 0.08), (0, front - 0.08, z + r + 0.08), 0.075, 0.085, 0.012),
-        box((0.08, 0.1, 0.1), (0, front + 0.02, z + r + 0.0)),
+        box((0.08, 0.1, 0.1), (0, front + 0.02, z + r)),
     ]
     bell = [(0, 0), (0.06, 0.0), (0.045, 0.04), (0.035, 0.08), (0, 0.1)]
     lamp += [

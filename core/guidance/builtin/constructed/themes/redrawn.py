@@ -9,6 +9,7 @@ from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
+    RIGHTWARD,
     Parts,
     ball,
     both_sides,
@@ -339,8 +340,7 @@ def _truss(length: float, wide: float, cells: int) -> list[Primitive]:
 
 def _crane(draw: Draw) -> Parts:
     high, reach, back = 2.0, draw(1.35, 1.6), 0.62
-    along = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
-    boom = placed(_truss(reach + back, 0.16, 11), along, (-back, 0, high + 0.1))
+    boom = placed(_truss(reach + back, 0.16, 11), RIGHTWARD, (-back, 0, high + 0.1))
     peak = (0.0, 0.0, high + 0.62)
     feet = [(0.08 * s, 0.08 * t, high + 0.05) for s in (-1, 1) for t in (-1, 1)]
     at, end = 0.62 * reach, high - draw(0.7, 1.0)

@@ -1,11 +1,11 @@
 """A sailboat and an excavator that the networks know and drew roughly."""
 
-import itertools
 from collections.abc import Callable
 
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import track
 from core.guidance.builtin.constructed.shapes import (
     SIDE,
     Parts,
@@ -114,14 +114,8 @@ def _excavator(draw: Draw) -> Parts:
             (-0.66, 0.1),
         ]
     )
-    middle = np.array([0.0, 0.18])
-    tracks = [plate(loop, 0.2, (0.36, 0, 0), SIDE, [(loop - middle) * (0.93, 0.78) + middle])]
-    ends = [*loop, loop[0]]
-    for a, b in itertools.pairwise(ends):
-        steps = max(int(np.linalg.norm(b - a) / 0.085), 1)
-        turn = np.degrees(np.arctan2(*(b - a)[::-1]))
-        for f in (np.arange(steps) + 0.5) / steps:
-            tracks.append(box((0.22, 0.05, 0.04), (0.36, *(a + f * (b - a))), 0.006, (turn, 0, 0)))
+    middle = (0.0, 0.18)
+    tracks = track(loop, (loop - middle) * (0.93, 0.78) + middle, 0.36, 0.2, (0.22, 0.05, 0.04))
     body = [
         box((0.56, 1.0, 0.14), (0, 0, 0.24), 0.02),
         rod((0, 0.04, 0.3), (0, 0.04, 0.42), 0.28, rim=0.01),

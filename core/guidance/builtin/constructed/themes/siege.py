@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import wheel
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     Parts,
@@ -20,7 +21,6 @@ from core.guidance.builtin.constructed.shapes import (
     rod,
     turned,
 )
-from core.guidance.builtin.constructed.themes.carts_and_cannons import wheel
 
 
 def _trebuchet(draw: Draw) -> Parts:

@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
+    LEFTWARD,
     Parts,
     ball,
     both_sides,
@@ -233,7 +234,6 @@ def _matchbox(draw: Draw) -> Parts:
 
 def _cigar(draw: Draw) -> Parts:
     long = draw(0.8, 0.95)
-    back = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
     shape = [
         (0, -long),
         (0.09, -long),
@@ -259,17 +259,17 @@ def _cigar(draw: Draw) -> Parts:
         (0.05, -long + 0.03),
     ]
     return {
-        "leaf": placed([turned(shape)], back),
-        "band": placed([turned(band)], back),
+        "leaf": placed([turned(shape)], LEFTWARD),
+        "band": placed([turned(band)], LEFTWARD),
         "trim": placed(
             [
                 *(turned(g) for g in gold),
                 *(ball(0.03, (0, -0.1 * np.sin(a), 0.37)) for a in (np.pi / 2,)),
             ],
-            back,
+            LEFTWARD,
         ),
-        "ash": placed([turned(ash)], back),
-        "ember": placed([turned(glow)], back),
+        "ash": placed([turned(ash)], LEFTWARD),
+        "ember": placed([turned(glow)], LEFTWARD),
     }
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import star
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     SIDE,
@@ -244,13 +245,10 @@ def _jack_in_the_box(draw: Draw) -> Parts:
     trim = [
         box((0.07, 0.07, 0.86), (s * 0.43, t * 0.43, 0.42), 0.012) for s in (-1, 1) for t in (-1, 1)
     ]
-    star = [
-        (r * np.sin(a), 0.42 + r * np.cos(a))
-        for a, r in zip(np.arange(10) * np.pi / 5, np.tile([0.27, 0.12], 5), strict=True)
-    ]
+    outline = star(5, 0.27, 0.12, (0.0, 0.42))
     stars = [
-        plate(star, 0.94, (0, 0, 0), FRONT),
-        plate([(a, b) for a, b in star], 0.94, (0, 0, 0), SIDE),
+        plate(outline, 0.94, (0, 0, 0), FRONT),
+        plate(outline, 0.94, (0, 0, 0), SIDE),
     ]
     t = np.linspace(0, 7 * 2 * np.pi, 85)
     spring = [

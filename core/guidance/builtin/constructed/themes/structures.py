@@ -175,7 +175,7 @@ def _water_wheel(draw: Draw) -> Parts:
         (0.03, top - 0.06),
         (0.04, top - 0.12),
         (0.1, top - 0.1),
-        (0.24, top - 0.0),
+        (0.24, top),
     ]
     water += [plate(fall, 0.24, (0, 0, 0), SIDE)]
     return {"rims": rims, "paddles": paddles, "spokes": spokes, "frame": frame, "water": water}

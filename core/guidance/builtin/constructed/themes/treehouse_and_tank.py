@@ -1,13 +1,14 @@
 """A treehouse, an airplane and a tank that the networks know and drew roughly."""
 
-import itertools
 from collections.abc import Callable
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import track
 from core.guidance.builtin.constructed.shapes import (
+    BACKWARD,
     FRONT,
     SIDE,
     Parts,
@@ -136,8 +137,7 @@ def _airplane(draw: Draw) -> Parts:
     span, engines = draw(1.22, 1.36), 1 + draw.which(2)
     tube = [(0, -1.3), (0.06, -1.28), (0.12, -1.2), (0.165, -1.02), (0.175, -0.8), (0.175, 0.5)]
     tube += [(0.15, 0.8), (0.1, 1.1), (0.04, 1.32), (0, 1.33)]
-    back = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-    body = placed([turned(tube)], back)
+    body = placed([turned(tube)], BACKWARD)
     body += [ball((0.2, 0.36, 0.11), (0, 0.02, -0.1))]
     wing = [(0.08, -0.36), (0.3, -0.22), (span, 0.42), (span, 0.54), (0.42, 0.28), (0.08, 0.3)]
     rise = Rotation.from_euler("y", -5, degrees=True).as_matrix()
@@ -161,7 +161,7 @@ def _airplane(draw: Draw) -> Parts:
             (0.03, 0.34),
             (0, 0.35),
         ]
-        pods += placed([turned(cowl)], back, (x, y, z))
+        pods += placed([turned(cowl)], BACKWARD, (x, y, z))
         pods += [
             plate(
                 [
@@ -267,29 +267,22 @@ def _tank(draw: Draw) -> Parts:
         rod((0.14, 0.02, 0.84), (0.14, -0.3, 0.86), 0.018),
         box((0.05, 0.16, 0.05), (0.14, 0.06, 0.84), 0.01),
     ]
-    loop = [
-        (-0.62, 0.03),
-        (0.6, 0.03),
-        (0.84, 0.17),
-        (0.93, 0.3),
-        (0.86, 0.43),
-        (0.6, 0.44),
-        (-0.6, 0.44),
-        (-0.86, 0.43),
-        (-0.95, 0.32),
-        (-0.88, 0.2),
-    ]
-    outer = np.array(loop)
-    middle = np.array([0.0, 0.235])
-    inner = (outer - middle) * (0.955, 0.83) + middle
-    tracks = [plate(outer, 0.26, (0.44, 0, 0), SIDE, [inner])]
-    ends = [*outer, outer[0]]
-    for a, b in itertools.pairwise(ends):
-        way2, steps = b - a, max(int(np.linalg.norm(b - a) / 0.085), 1)
-        turn = np.degrees(np.arctan2(way2[1], way2[0]))
-        for f in (np.arange(steps) + 0.5) / steps:
-            y, z = a + f * way2
-            tracks.append(box((0.28, 0.045, 0.045), (0.44, y, z), 0.008, (turn, 0, 0)))
+    loop = np.array(
+        [
+            (-0.62, 0.03),
+            (0.6, 0.03),
+            (0.84, 0.17),
+            (0.93, 0.3),
+            (0.86, 0.43),
+            (0.6, 0.44),
+            (-0.6, 0.44),
+            (-0.86, 0.43),
+            (-0.95, 0.32),
+            (-0.88, 0.2),
+        ]
+    )
+    middle = (0.0, 0.235)
+    tracks = track(loop, (loop - middle) * (0.955, 0.83) + middle, 0.44, 0.26, (0.28, 0.045, 0.045))
     wheels = [
         rod((0.32, y, 0.17), (0.585, y, 0.17), 0.115, rim=0.012)
         for y in np.linspace(-0.56, 0.56, 5)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from core.guidance.builtin.constructed.draw import Draw
+from core.guidance.builtin.constructed.pieces import HEXAGON, screw_thread
 from core.guidance.builtin.constructed.shapes import (
     FRONT,
     Parts,
@@ -22,16 +23,6 @@ from core.guidance.builtin.constructed.shapes import (
     spun,
     turned,
 )
-
-HEXAGON = np.stack([np.cos(np.arange(6) * np.pi / 3), np.sin(np.arange(6) * np.pi / 3)], 1)
-
-
-def screw_thread(radius: float, start: float, end: float, pitch: float = 0.07) -> list:
-    """A screw's ridges about the z axis."""
-    return [
-        turned([(radius - 0.02, z), (radius + 0.022, z + pitch / 2), (radius - 0.02, z + pitch)])
-        for z in np.arange(start, end - pitch, pitch)
-    ]
 
 
 def _piston(draw: Draw) -> Parts:
@@ -172,8 +163,8 @@ def _c_clamp(draw: Draw) -> Parts:
                 (-0.1, 0.62),
                 (-0.1, 0.46),
                 (deep - 0.04, 0.46),
-                (deep + 0.0, 0.4),
-                (deep + 0.0, -0.4),
+                (deep, 0.4),
+                (deep, -0.4),
                 (deep - 0.04, -0.46),
                 (-0.1, -0.46),
             ],
@@ -265,7 +256,7 @@ def _caliper(draw: Draw) -> Parts:
             FRONT,
         ),
         plate(
-            [(x + 0.0, 0.1), (x + 0.16, 0.1), (x + 0.08, 0.36), (x + 0.02, 0.3)],
+            [(x, 0.1), (x + 0.16, 0.1), (x + 0.08, 0.36), (x + 0.02, 0.3)],
             0.05,
             (0, 0, 0),
             FRONT,
