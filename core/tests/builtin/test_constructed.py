@@ -139,3 +139,16 @@ def test_its_parts_keep_their_sizes_with_a_note():
     whole = shipped_prior().prompted("a bicycle", "").of_object(0)
     assert not whole.left_out()
     assert torch.equal(drawn.solid.mesh[0], whole.solid.mesh[0])
+
+
+def test_solids_of_a_part_that_meet_are_one_place_for_its_markings():
+    """A tower that is put together from two boxes is one wall, and another tower is another."""
+    plain = shipped_prior().prompted("a castle", "").of_object(0).solid
+    low, high = (box((0.2, 0.2, 0.2), (0.5, y, 0)) for y in (0.0, 0.2))
+    towers = {"wall": [low, high, *moved([low], (-1, 0, 0))]}
+    solid = ConstructedSolid(
+        plain.net, plain.triplane, solids=towers, names=("wall", "roof"), frame=plain.frame
+    )
+    walls, roofs = solid.known.component_boxes()
+    assert len(walls) == 2 and roofs == []
+    assert sorted(float((box[1] - box[0]).max()) for box in walls) == pytest.approx([0.2, 0.4])

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 import torch
 from jaxtyping import Float, Int
+from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
 from core.geometry.lattice import Lattice
@@ -113,6 +114,10 @@ class ConstructedParts(KnownParts):
         component = self.components[index]
         return component.verts, component.faces
 
+    def component_boxes(self) -> list[list[Float[Tensor, "2 3"]]]:
+        """Of each part those of what hangs together: solids whose boxes meet are one."""
+        return [_joined(own) for own in super().component_boxes()]
+
     def near(self, points: Float[Tensor, "n 3"]) -> Float[Tensor, "n p"]:
         """The parts' distances."""
         return self.solid.distances(points)[:, : len(self.solid.names)]
@@ -125,3 +130,14 @@ def solid_of_parts(
     there = {name: own for name, own in parts.items() if name not in words.absent}
     solid = ConstructedSolid(net, NOTHING, solids=there, names=tuple(looks(words.noun)))
     return solid.stretched(words.shape) if words.shape else solid
+
+
+def _joined(boxes: Sequence[Float[Tensor, "2 3"]]) -> list[Float[Tensor, "2 3"]]:
+    """The boxes around those that meet."""
+    if not boxes:
+        return []
+    low, high = torch.stack(list(boxes)).unbind(1)
+    meet = (low[:, None] <= high).all(2) & (low <= high[:, None]).all(2)
+    count, group = connected_components(meet.numpy(), directed=False)
+    each = (torch.as_tensor(group == k) for k in range(count))
+    return [torch.stack([low[own].amin(0), high[own].amax(0)]) for own in each]

@@ -60,8 +60,8 @@ COTTAGE_WINDOWS = (
 )
 CHURCH_WINDOWS = (
     *_openings("front", (0.0,), (0.13,), (0.25, 0.25), "round"),
-    *_openings("sides", (-0.45, 0.12, 0.68), (-0.42,), (0.1, 0.27), "arched"),
-    *_openings("back", (0.0,), (-0.22,), (0.26, 0.45), "arched"),
+    *_openings("sides", (-0.23, 0.13, 0.49), (-0.56,), (0.075, 0.2), "arched"),
+    *_openings("back", (0.0,), (-0.55,), (0.2, 0.2), "arched"),
 )
 TOWER_WINDOWS = tuple(
     one
