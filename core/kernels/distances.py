@@ -8,6 +8,7 @@ import numpy as np
 from core.kernels.compiled import compiled
 
 STEEPEST = 0.99  # sine of a capsule's side
+ADDS = 12.0  # softnesses: what is farther adds nothing to a smooth union
 
 
 @compiled
@@ -133,3 +134,62 @@ def pipes(p, curves):
                 nearest, row[i], along[i] = off, k, t
         out[i] = nearest
     return out, row, along
+
+
+@compiled
+def smooth_union(p, curves, softness):
+    """(n,) from what flows together of round curves: points (m, 5) with radii and how many times as
+    wide along x they are, apart where a radius is not finite; to first order.
+
+    The smooth minimum is exponential: Quilez, "Smooth minimum". A curve that is far from what is
+    nearest adds nothing.
+    """
+    starts = [0] + [k + 1 for k in range(len(curves)) if not np.isfinite(curves[k, 3])]
+    ends = [start - 1 for start in starts[1:]] + [len(curves)]
+    bounds = np.empty((len(starts), 4))
+    for m in range(len(starts)):
+        own = curves[starts[m] : ends[m]]
+        for c in range(3):
+            bounds[m, c] = (own[:, c].min() + own[:, c].max()) / 2
+        bounds[m, 3] = 0.0
+        for k in range(len(own)):
+            away = np.sqrt(((own[k, :3] - bounds[m, :3]) ** 2).sum())
+            bounds[m, 3] = max(bounds[m, 3], away + own[k, 3] * max(own[k, 4], 1.0))
+    out, each = np.empty(len(p)), np.empty(len(starts))
+    for i in range(len(p)):
+        nearest = np.inf
+        for m in range(len(starts)):
+            away = 0.0
+            for c in range(3):
+                away += (p[i, c] - bounds[m, c]) ** 2
+            each[m] = np.sqrt(away) - bounds[m, 3]
+        for m in np.argsort(each):
+            if each[m] > nearest + ADDS * softness:
+                each[m] = np.inf
+                continue
+            each[m] = _round_curve(p[i], curves[starts[m] : ends[m]])
+            nearest = min(nearest, each[m])
+        total = 0.0
+        for m in range(len(starts)):
+            total += np.exp((nearest - each[m]) / softness)
+        out[i] = nearest - softness * np.log(total)
+    return out
+
+
+@compiled
+def _round_curve(p, curve):
+    here = np.inf
+    for k in range(len(curve) - 1):
+        dot, square = 0.0, 0.0
+        for c in range(3):
+            way = curve[k + 1, c] - curve[k, c]
+            dot += way * (p[c] - curve[k, c])
+            square += way * way
+        t = min(max(dot / max(square, 1e-12), 0.0), 1.0)
+        wide = (1 - t) * curve[k, 4] + t * curve[k + 1, 4]
+        off = ((p[0] - (1 - t) * curve[k, 0] - t * curve[k + 1, 0]) / wide) ** 2
+        for c in range(1, 3):
+            off += (p[c] - (1 - t) * curve[k, c] - t * curve[k + 1, c]) ** 2
+        off = np.sqrt(off) - (1 - t) * curve[k, 3] - t * curve[k + 1, 3]
+        here = min(here, off * min(wide, 1.0))
+    return here

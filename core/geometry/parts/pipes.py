@@ -63,8 +63,10 @@ def apart(curves: Sequence[Float[np.ndarray, "_ k"]]) -> Float[np.ndarray, "m k"
     return np.concatenate([rows for curve in curves for rows in (curve, gap)][:-1])
 
 
-def weights_of(places: Float[np.ndarray, "k 3"], closed: bool) -> Float[np.ndarray, "m k"]:
-    """The curve's points, as weights of its nodes."""
+def weights_of(
+    places: Float[np.ndarray, "k 3"], closed: bool, spans: int = 1
+) -> Float[np.ndarray, "m k"]:
+    """The curve's points, as weights of its nodes; so many ``spans`` between two, at least."""
     count = len(places)
     unit = np.eye(count)
     if count < 3:
@@ -82,7 +84,7 @@ def weights_of(places: Float[np.ndarray, "k 3"], closed: bool) -> Float[np.ndarr
     rows = []
     for k in range(count if closed else count - 1):
         bend = _angle(tangent[k] @ places, tangent[ahead[k]] @ places)
-        t = np.linspace(0, 1, int(np.clip(np.ceil(bend / BEND), 1, MOST_SPANS)) + 1)[:-1, None]
+        t = np.linspace(0, 1, int(np.clip(np.ceil(bend / BEND), spans, max(spans, MOST_SPANS))) + 1)[:-1, None]
         rows.append(
             (1 + 2 * t) * (1 - t) ** 2 * unit[k]
             + t**2 * (3 - 2 * t) * unit[ahead[k]]

@@ -13,6 +13,7 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 from torch import Tensor
 
+from core.geometry.parts.limbs import limbs, limbs_mesh
 from core.geometry.parts.pipes import pipes, surface_of, unpacked_pipes
 from core.geometry.union import ball, hull, lathe, prisms, rolled, rounded_box, union
 from core.kernels import distances
@@ -192,6 +193,7 @@ FORMS = {
     "crossed": Form(crossed, **OUTLINED),
     "wall": Form(wall, **OUTLINED),
     "pipes": Form(pipes, fits=(0.25, 0.85), drawn=((0.6, 0.84), (1.2, 0.96))),
+    "limbs": Form(limbs),
     "blade": Form(blade, fits=(0.25, 0.85), drawn=((0.6, 0.75), (1.5, 0.95))),
 }
 
@@ -270,6 +272,8 @@ def _mesh(form: str, lengths: Lengths, edge: float) -> tuple[Tensor, Tensor]:
         found = unpacked_pipes(lengths)
         each = [surface_of(one, edge, _segments(one.nodes[:, 3].max())) for one in found]
         return union(each, 0.0)
+    if form == "limbs":
+        return limbs_mesh(lengths, edge)
     if form == "wall":
         chord = 2 * np.sqrt(2 * CHORD * lengths[0])
         return rolled(unpacked(lengths[1:]), lengths[0], min(edge, chord))

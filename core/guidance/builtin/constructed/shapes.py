@@ -12,6 +12,7 @@ from jaxtyping import Float
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
+from core.geometry.parts.limbs import Limb, packed_limbs, unpacked_limbs
 from core.geometry.parts.pipes import Pipe, packed_pipes, unpacked_pipes
 from core.geometry.parts.primitives import Loop, Primitive, packed, unpacked
 from core.guidance.builtin.stretch import training_size
@@ -78,6 +79,25 @@ def pipe(points: Places, radius: float | Sequence[float], closed: bool = False) 
     radii = np.broadcast_to(np.array(radius, float), len(points))
     nodes = np.concatenate([np.array(points, float), radii[:, None]], 1)
     return Primitive("pipes", np.zeros(3), np.zeros(3), packed_pipes([Pipe(nodes, closed)]))
+
+
+def limb(points: Places, radius: float | Sequence[float], wide: float | Sequence[float] = 1.0) -> Limb:
+    """A smooth curve through points, with a radius at each, and how many times as wide as deep it
+    is there; for ``smooth_union``."""
+    count = len(points)
+    columns = [np.broadcast_to(np.array(of, float), count) for of in (radius, wide)]
+    return np.concatenate([np.array(points, float), np.stack(columns, 1)], 1)
+
+
+def smooth_union(limbs: Iterable[Limb], softness: float) -> Primitive:
+    """Limbs that flow into one another; the softer, the rounder where they meet."""
+    return Primitive("limbs", np.zeros(3), np.zeros(3), packed_limbs(list(limbs), softness))
+
+
+def mirrored_limbs(limbs: Iterable[Limb]) -> list[Limb]:
+    """Limbs and their mirror images across x = 0."""
+    each = list(limbs)
+    return [*each, *(one * np.array([-1.0, 1, 1, 1, 1]) for one in each)]
 
 
 def plate(
@@ -173,6 +193,10 @@ def framed(one: Primitive, scale: float, shift: Point) -> Primitive:
     elif one.form == "pipes":
         each = unpacked_pipes(one.lengths)
         lengths = packed_pipes([pipe._replace(nodes=scale * pipe.nodes) for pipe in each])
+    elif one.form == "limbs":
+        limbs, softness = unpacked_limbs(one.lengths)
+        by = np.array([scale, scale, scale, scale, 1.0])
+        lengths = packed_limbs([by * nodes for nodes in limbs], scale * softness)
     return one._replace(center=scale * one.center + shift, lengths=lengths)
 
 
@@ -196,6 +220,10 @@ def _mirrored(one: Primitive) -> Primitive:
         flip = np.array([-1.0, 1.0, 1.0, 1.0])
         each = unpacked_pipes(lengths)
         lengths = packed_pipes([pipe._replace(nodes=flip * pipe.nodes) for pipe in each])
+    elif one.form == "limbs":
+        limbs, softness = unpacked_limbs(lengths)
+        flip = np.array([-1.0, 1.0, 1.0, 1.0, 1.0])
+        lengths = packed_limbs([flip * nodes for nodes in limbs], softness)
     return one._replace(center=across @ one.center, turn=turn, lengths=lengths)
 
 

@@ -13,11 +13,14 @@ from core.guidance.builtin.constructed.themes.brass import BRASS
 from core.guidance.builtin.constructed.themes.bridges_and_structures import BRIDGES_AND_STRUCTURES
 from core.guidance.builtin.constructed.themes.buildings import BUILDINGS
 from core.guidance.builtin.constructed.themes.carts_and_cannons import CARTS_AND_CANNONS
+from core.guidance.builtin.constructed.themes.cats import CATS
+from core.guidance.builtin.constructed.themes.cattle import CATTLE
 from core.guidance.builtin.constructed.themes.charms_and_games import CHARMS_AND_GAMES
 from core.guidance.builtin.constructed.themes.cooking import COOKING
 from core.guidance.builtin.constructed.themes.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.themes.desk_machines import DESK_MACHINES
 from core.guidance.builtin.constructed.themes.desk_tools import DESK_TOOLS
+from core.guidance.builtin.constructed.themes.dogs import DOGS
 from core.guidance.builtin.constructed.themes.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.themes.fair import FAIR
 from core.guidance.builtin.constructed.themes.fasteners import FASTENERS
@@ -26,10 +29,13 @@ from core.guidance.builtin.constructed.themes.games_hall import GAMES_HALL
 from core.guidance.builtin.constructed.themes.garden import GARDEN
 from core.guidance.builtin.constructed.themes.guitars import GUITARS
 from core.guidance.builtin.constructed.themes.gymnasium import GYMNASIUM
+from core.guidance.builtin.constructed.themes.heavy_beasts import HEAVY_BEASTS
+from core.guidance.builtin.constructed.themes.horses import HORSES
 from core.guidance.builtin.constructed.themes.household import HOUSEHOLD
 from core.guidance.builtin.constructed.themes.kitchen_tools import KITCHEN_TOOLS
 from core.guidance.builtin.constructed.themes.laboratory import LABORATORY
 from core.guidance.builtin.constructed.themes.large_ships import LARGE_SHIPS
+from core.guidance.builtin.constructed.themes.long_necks import LONG_NECKS
 from core.guidance.builtin.constructed.themes.missiles import MISSILES
 from core.guidance.builtin.constructed.themes.monuments import MONUMENTS
 from core.guidance.builtin.constructed.themes.monuments_of_stone import MONUMENTS_OF_STONE
@@ -109,6 +115,12 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **STAGE,
     **WORKSHOP,
     **FASTENERS,
+    **HEAVY_BEASTS,
+    **LONG_NECKS,
+    **CATTLE,
+    **CATS,
+    **DOGS,
+    **HORSES,
 }
 
 

@@ -16,6 +16,7 @@ COMMON_WILD_ANIMALS = {
             "ears": "-d9a8a0",
         },
         Usual(1.3, FLESH, 0.38),
+        constructed=True,
     ),
     "fox": Noun(
         "red fox; fox cub, kitsune",
@@ -29,6 +30,7 @@ COMMON_WILD_ANIMALS = {
             "paws": "?f3efe8",
         },
         Usual(0.9, FLESH, 0.3),
+        constructed=True,
     ),
     "bear": Noun(
         "brown bear; grizzly, grizzly bear, polar bear, bear cub",
@@ -43,6 +45,7 @@ COMMON_WILD_ANIMALS = {
             "paws": "?f3efe8",
         },
         Usual(2.0, FLESH, 0.3),
+        constructed=True,
     ),
     "deer": Noun(
         "; reindeer, stag, buck, doe, fawn, elk, antelope, gazelle, bambi, impala, caribou",
@@ -57,6 +60,7 @@ COMMON_WILD_ANIMALS = {
             "spots": "-f2e6d0",
         },
         Usual(2.0, FLESH, 0.4),
+        constructed=True,
     ),
     "lion": Noun(
         "; lion king, lioness, lion cub",
@@ -70,6 +74,7 @@ COMMON_WILD_ANIMALS = {
             "paws": "?f3efe8",
         },
         Usual(2.2, FLESH, 0.32),
+        constructed=True,
     ),
     "elephant": Noun(
         "; baby elephant",
@@ -81,6 +86,7 @@ COMMON_WILD_ANIMALS = {
             "nails": "-e6dcc8",
         },
         Usual(5.0, FLESH, 0.26),
+        constructed=True,
     ),
     "giraffe": Noun(
         "",
@@ -92,6 +98,7 @@ COMMON_WILD_ANIMALS = {
             "patches": "-9a5a26",
         },
         Usual(4.8, FLESH, 0.37),
+        constructed=True,
     ),
     "monkey": Noun(
         "; chimp, chimpanzee, orangutan, baboon, gibbon, lemur",

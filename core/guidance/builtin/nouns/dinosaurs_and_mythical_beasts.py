@@ -74,6 +74,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-1c1718",
         },
         Usual(4.2, FLESH, 0.8),
+        constructed=True,
     ),
     "phoenix": Noun(
         "phoenixes, fire bird, firebird; baby phoenix",

@@ -19,6 +19,7 @@ FARM_ANIMALS_AND_PETS = {
             "paws": "?f3efe8",
         },
         Usual(0.8, FLESH, 0.76),
+        constructed=True,
     ),
     "corgi": Noun(
         "welsh corgi; dachshund, sausage dog",
@@ -31,6 +32,7 @@ FARM_ANIMALS_AND_PETS = {
             "paws": "?f3efe8",
         },
         Usual(0.6, FLESH, 0.67),
+        constructed=True,
     ),
     "cat": Noun(
         "kitty, house cat; kitten, tomcat, lynx, bobcat, cougar, sphynx, calico cat, "
@@ -44,6 +46,7 @@ FARM_ANIMALS_AND_PETS = {
             "paws": "?f3efe8",
         },
         Usual(0.45, FLESH, 0.56),
+        constructed=True,
     ),
     "rabbit": Noun(
         "bunny, bunnies; hare",
@@ -85,6 +88,7 @@ FARM_ANIMALS_AND_PETS = {
             "socks": "?f3efe8",
         },
         Usual(2.4, FLESH, 0.6),
+        constructed=True,
     ),
     "donkey": Noun(
         "donkeys, burro, gray donkey; mule, mules, baby donkey, foal donkey",
@@ -99,6 +103,7 @@ FARM_ANIMALS_AND_PETS = {
             "ears": "-d8b0a6",
         },
         Usual(1.6, FLESH, 0.6),
+        constructed=True,
     ),
     "cow": Noun(
         "holstein, holstein cow, dairy cow; calf, cattle",
@@ -113,6 +118,7 @@ FARM_ANIMALS_AND_PETS = {
             "socks": "?f3efe8",
         },
         Usual(2.3, FLESH, 0.54),
+        constructed=True,
     ),
     "bull": Noun(
         "bulls, angry bull, raging bull, spanish bull; ox, oxen, bullock, longhorn, buffalo, "
@@ -128,6 +134,7 @@ FARM_ANIMALS_AND_PETS = {
             "socks": "?f3efe8",
         },
         Usual(2.4, FLESH, 0.75),
+        constructed=True,
     ),
     "sheep": Noun(
         "; lamb, ewe",
@@ -140,6 +147,7 @@ FARM_ANIMALS_AND_PETS = {
             "curls": "~c9c2b0",
         },
         Usual(1.2, FLESH, 0.28),
+        constructed=True,
     ),
     "pig": Noun(
         "piggy; piglet, boar, wild boar, hog, warthog",
@@ -152,6 +160,7 @@ FARM_ANIMALS_AND_PETS = {
             "ears": "-d97f86",
         },
         Usual(1.2, FLESH, 0.68),
+        constructed=True,
     ),
     "chicken": Noun(
         "; hen, chick, baby chick, quail, pheasant, partridge, chicken bird, seagull chick",

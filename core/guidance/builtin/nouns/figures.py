@@ -111,6 +111,7 @@ FIGURES = {
             "twist": "~b8862a",
         },
         Usual(2.4, FLESH, 0.66),
+        constructed=True,
     ),
     "dragon": Noun(
         "; wyvern, baby dragon, fire dragon, drake, baby drake, hydra, dragonling",

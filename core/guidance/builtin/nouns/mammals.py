@@ -14,6 +14,7 @@ MAMMALS = {
             "paws": "?f3efe8",
         },
         Usual(2.4, FLESH, 0.3),
+        constructed=True,
     ),
     "leopard": Noun(
         "; cheetah, jaguar, panther, snow leopard, ocelot, leopard cub, cheetah cub, black panther",
@@ -26,6 +27,7 @@ MAMMALS = {
             "paws": "?f3efe8",
         },
         Usual(1.9, FLESH, 0.25),
+        constructed=True,
     ),
     "zebra": Noun(
         "; zebra foal",
@@ -39,6 +41,7 @@ MAMMALS = {
             "socks": "?f3efe8",
         },
         Usual(2.3, FLESH, 0.5),
+        constructed=True,
     ),
     "rhino": Noun(
         "rhinoceros; white rhino, black rhino, baby rhino",
@@ -53,6 +56,7 @@ MAMMALS = {
             "mouth": "-4a4c4e",
         },
         Usual(3.6, FLESH, 0.4),
+        constructed=True,
     ),
     "hippo": Noun(
         "hippopotamus, hippopotami; pygmy hippo, baby hippo",
@@ -65,6 +69,7 @@ MAMMALS = {
             "eyes": "-111111",
         },
         Usual(3.5, FLESH, 0.4),
+        constructed=True,
     ),
     "camel": Noun(
         "; bactrian camel, dromedary",
@@ -79,6 +84,7 @@ MAMMALS = {
             "nostrils": "-5a4432",
         },
         Usual(2.8, FLESH, 0.4),
+        constructed=True,
     ),
     "llama": Noun(
         "llamas; alpaca, vicuna, guanaco, baby llama",
@@ -91,6 +97,7 @@ MAMMALS = {
             "eyes": EYES_LOOK,
         },
         Usual(1.8, FLESH, 0.25),
+        constructed=True,
     ),
     "goat": Noun(
         "billy goat; nanny goat, mountain goat, ibex, ram, goat kid, baby goat",
@@ -105,6 +112,7 @@ MAMMALS = {
             "mouth": "-5a4c40",
         },
         Usual(1.3, FLESH, 0.4),
+        constructed=True,
     ),
     "moose": Noun(
         "bull moose; moose calf",
@@ -117,6 +125,7 @@ MAMMALS = {
             "eyes": EYES_LOOK,
         },
         Usual(2.8, FLESH, 0.3),
+        constructed=True,
     ),
     "kangaroo": Noun(
         "; wallaby, wallabies, joey, baby kangaroo",
@@ -186,6 +195,7 @@ MAMMALS = {
         },
         Usual(0.8, FLESH),
         "dog",
+        constructed=True,
     ),
     "pug": Noun(
         "pugs, pug dog, pug puppy; french bulldog, bulldog, boston terrier, pekingese",
@@ -199,6 +209,7 @@ MAMMALS = {
             "paws": "?f3efe8",
         },
         Usual(0.45, FLESH, 0.6),
+        constructed=True,
     ),
     "poodle": Noun(
         "poodles, french poodle; poodle puppy, bichon, bichon frise, labradoodle",
@@ -210,6 +221,7 @@ MAMMALS = {
             "nose": "-191517",
         },
         Usual(0.6, FLESH, 0.3),
+        constructed=True,
     ),
     "skunk": Noun(
         "; badger, polecat",
@@ -232,11 +244,13 @@ MAMMALS = {
             "mask": "+232327",
             "muzzle": "+f0eeea",
             "stripes": "+2b2b30",
-            "eyes": "-f4f2ec",
+            "eyes": "-141210",
             "nose": "-151517",
+            "glints": "-ffffff",
             "paws": "?f3efe8",
         },
         Usual(0.8, FLESH, 0.2),
+        constructed=True,
     ),
     "beaver": Noun(
         "; platypus, muskrat, groundhog, baby beaver, capybara",

@@ -57,7 +57,8 @@ NAILS = [(0.36, -0.92), (0.56, -0.95), (0.76, -0.92)]
 SNOWMAN = faces.Face(fraction=0.535)
 ANIMALS: Rows = {
     **dict.fromkeys(("dog", "fox", "lion"), PAWS | MUZZLED),
-    **dict.fromkeys(("corgi", "pug", "raccoon"), PAWS),
+    **dict.fromkeys(("corgi", "pug"), PAWS),
+    "raccoon": PAWS | GLINTS,
     **dict.fromkeys(("bull", "pegasus"), SOCKS),
     "cat": {
         **PAWS,
@@ -83,14 +84,16 @@ ANIMALS: Rows = {
         **SOCKS,
         **GLINTS,
         "mouth": joined(
-            face_lines("body", ((-9.0, -5.8), (-4.6, -5.8), (-3.2, -5.2)), side=True, wide=0.2),
-            face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
+            face_lines("body", ((-13.0, -11.3), (-7.0, -10.9), (-4.8, -10.2)), side=True, wide=0.3),
+            face_spots("body", (-2.1, -8.8, -9.0), sizes=(0.6, 1.2, 0.8)),
         ),
-        "blaze": face_spots("body", (-3.0, -3.5, -0.4), sizes=(0.8, 3.0, 2.4)),
+        "blaze": face_spots(
+            "body", (-3.4, -3.2, -0.2), (-3.4, -4.8, -3.2), sizes=(1.1, 1.8, 2.4)
+        ),
     },
     "donkey": {
         **GLINTS,
-        "ears": face_spots("body", (0.3, 1.8, 5.6), sizes=(0.9, 1.2, 2.6)),
+        "ears": face_spots("body", (-0.9, 3.4, 11.8), sizes=(0.8, 1.0, 3.4)),
     },
     "cow": {
         **SOCKS,
@@ -123,19 +126,19 @@ ANIMALS: Rows = {
     "wolf": {
         **GLINTS,
         **MUZZLED,
-        "ears": face_spots("body", (0.85, 3.2, 4.2), sizes=(0.8, 1.6, 1.9)),
+        "ears": face_spots("body", (0.4, 7.0, 6.6), sizes=(0.8, 1.6, 2.0)),
     },
     "bear": {
         **PAWS,
         **GLINTS,
         **MUZZLED,
-        "ears": face_spots("body", (1.4, 2.4, 2.5), sizes=(1.2, 1.6, 1.2)),
+        "ears": face_spots("body", (1.2, 6.2, 5.9), sizes=(1.0, 1.4, 1.0)),
     },
     "deer": {"spots": Marking("body", spots.dapples)},
     "elephant": {
         "nails": Marking("body", partial(studs.dots, places=NAILS, size=0.085, both=True))
     },
-    "giraffe": {"patches": Marking("body", partial(spots.cells, pitch=0.26, line=0.05))},
+    "giraffe": {"patches": Marking("body", partial(spots.cells, pitch=0.17, line=0.034))},
     "monkey": {
         **GLINTS,
         "nostrils": face_spots("face", (-1.4, 0.0, -2.4), sizes=(0.35, 2.5, 0.3)),
@@ -225,7 +228,7 @@ ANIMALS: Rows = {
     "alien": GLINTS,
     "unicorn": {
         **GLINTS,
-        "nostrils": face_spots("body", (-1.9, -5.6, -4.5), sizes=(0.55, 1.2, 0.5)),
+        "nostrils": face_spots("body", (-2.1, -8.8, -9.0), sizes=(0.6, 1.2, 0.8)),
         "twist": Marking("horn", partial(scales.twist, way=(0.0, -0.35, 1.0))),
     },
     "dragon": {
@@ -252,19 +255,19 @@ ANIMALS: Rows = {
         )
     },
     "lobster": {**GLINTS, "bands": bars("tail", way=(0.0, 1.0, 0.0), pitch=0.13, wide=0.016)},
-    "tiger": PAWS | {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.2))},
+    "tiger": PAWS | {"stripes": Marking("body", partial(stripes.tiger_stripes, pitch=0.13))},
     "leopard": {
         **PAWS,
         "spots": Marking(
-            "body", partial(spots.blobs, pitch=0.15, sizes=(0.03, 0.055), fraction=0.9)
+            "body", partial(spots.blobs, pitch=0.1, sizes=(0.018, 0.034), fraction=0.95)
         ),
     },
-    "zebra": SOCKS | {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.2))},
+    "zebra": SOCKS | {"stripes": Marking("body", partial(stripes.zebra_stripes, pitch=0.14))},
     "rhino": {
         **GLINTS,
-        "nostrils": face_spots("body", (-2.3, -6.9, -3.4), sizes=(0.5, 1.4, 0.5)),
+        "nostrils": face_spots("body", (-1.5, -12.0, -8.5), sizes=(0.7, 1.4, 0.6)),
         "mouth": face_lines(
-            "body", ((-12.0, -5.4), (-5.4, -5.6), (-4.0, -5.0)), side=True, wide=0.22
+            "body", ((-15.0, -12.7), (-9.0, -12.4), (-7.0, -11.6)), side=True, wide=0.3
         ),
     },
     "camel": {
@@ -277,7 +280,7 @@ ANIMALS: Rows = {
     "goat": {
         **GLINTS,
         "mouth": face_lines(
-            "body", ((-9.0, -5.0), (-4.4, -5.0), (-3.4, -4.6)), side=True, wide=0.2
+            "body", ((-10.0, -7.8), (-6.0, -7.6), (-4.8, -6.8)), side=True, wide=0.22
         ),
     },
     "panda": pupils() | MUZZLED,
@@ -288,7 +291,7 @@ ANIMALS: Rows = {
     "dalmatian": {
         **PAWS,
         "spots": Marking(
-            "body", partial(spots.blobs, pitch=0.2, sizes=(0.025, 0.075), fraction=0.85)
+            "body", partial(spots.blobs, pitch=0.15, sizes=(0.018, 0.05), fraction=0.85)
         ),
     },
     "skunk": PAWS | {"stripe": Marking("body", partial(bands.ridge, wide=0.2))},
