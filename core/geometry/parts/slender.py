@@ -7,6 +7,7 @@ and a bicycle's frame a pipe. A rod gets thinner and keeps its length; a plate k
 import numpy as np
 from jaxtyping import Float
 
+from core.geometry.parts.limbs import packed_limbs, unpacked_limbs
 from core.geometry.parts.pipes import packed_pipes, unpacked_pipes
 from core.geometry.parts.primitives import (
     FRAMES,
@@ -101,6 +102,11 @@ def _pipes(lengths: Lengths, by: float) -> Thinned:
     return MIDDLE, packed_pipes(thin)
 
 
+def _limbs(lengths: Lengths, by: float) -> Thinned:
+    each, softness = unpacked_limbs(lengths)
+    return MIDDLE, packed_limbs([nodes * (1, 1, 1, by, 1) for nodes in each], by * softness)
+
+
 THINNED = {
     "box": _box,
     "ellipsoid": _box,
@@ -113,6 +119,7 @@ THINNED = {
     "wall": _wall,
     "blade": _blade,
     "pipes": _pipes,
+    "limbs": _limbs,
 }
 
 

@@ -72,14 +72,14 @@ def test_legs_are_found_under_the_trunk(noun):
         assert low[2] < leg.hoof <= float(leg.high[2]) < found.spine < high[2]
         assert float(leg.low[0]) < leg.middle[0] < float(leg.high[0]) <= high[0] + 0.05
         assert leg.radius < leg.middle[0] + 0.05
-        assert float(leg.high[1] - leg.low[1]) < 3.5 * leg.radius
+        assert float(leg.high[1] - leg.low[1]) < 4.5 * leg.radius  # with its paw
         assert found.belly < float(leg.joint[2]) < leg.above
     assert found.front.high[1] < found.hind.low[1]
     assert low[1] < found.front.middle[1] < found.hind.middle[1] < high[1]
 
 
 def test_what_is_around_a_hoof_ends_where_the_belly_hangs_lower_than_the_leg_begins():
-    found = four_legs("bear", 0)
+    found = four_legs("pig", 0)
     assert found is not None
     assert found.front.hoof < float(found.front.high[2]) - 0.02
 
@@ -244,7 +244,7 @@ def test_hind_legs_on_the_ground_are_short_and_at_the_sides():
     leg = horse.verts[mine] / scale
     aside = float(leg[:, 0].mean() - hind.middle[0])
     assert 0.4 * hind.radius < aside < 1.2 * hind.radius
-    assert float(leg[:, 1].max() - leg[:, 1].min()) < 5 * hind.radius
+    assert float(leg[:, 1].max() - leg[:, 1].min()) < 6 * hind.radius  # with its hoof
     verts = clipped(
         (body("a horse").verts, body("a horse").faces), first.pose.bones[3].regions, True
     )

@@ -224,7 +224,7 @@ def volume(verts, faces) -> float:
 
 
 def test_each_form_can_be_thinner():
-    assert set(THINNED) == set(FORMS) == {form for form, *_ in THIN} | {"pipes"}
+    assert set(THINNED) == set(FORMS) == {form for form, *_ in THIN} | {"pipes", "limbs"}
 
 
 @pytest.mark.parametrize(("form", "lengths", "size"), THIN)

@@ -87,15 +87,18 @@ def body(middle: Iterable[Limb], sides: Iterable[Limb], softness: float = 0.028)
 
 
 def on_surface(one: Primitive, start: Place, way: Place) -> Point:
-    """Where a line from outside meets the solid."""
+    """Where a line from outside meets the solid.
+
+    Raises ValueError if it misses it.
+    """
     along = np.array(way, float) / np.linalg.norm(way)
     at = np.array(start, float)
     for _ in range(STEPS):
         off = float(one.at(at[None])[0])
         if off < NEAR:
-            break
+            return at
         at = at + MARCH * off * along
-    return at
+    raise ValueError(f"A line from {start} along {way} misses the solid.")
 
 
 def eyes_on(

@@ -75,7 +75,7 @@ class Carnivore(NamedTuple):
 
     def muzzle(self) -> list[Primitive]:
         """Its end, in another colour."""
-        return [smooth_union(self.on_head(*_snout(self.build, 0.007)), 0.02)]
+        return [smooth_union(self.on_head(*_snout(self.build, 0.009)), 0.02)]
 
 
 def _snout(build: Build, more: float = 0.0) -> list[Limb]:

@@ -94,6 +94,12 @@ def smooth_union(limbs: Iterable[Limb], softness: float) -> Primitive:
     return Primitive("limbs", np.zeros(3), np.zeros(3), packed_limbs(list(limbs), softness))
 
 
+def joined(one: Primitive, other: Primitive) -> Primitive:
+    """Two smooth unions as one, as soft as the first is."""
+    (limbs, softness), (more, _) = (unpacked_limbs(each.lengths) for each in (one, other))
+    return smooth_union([*limbs, *more], softness)
+
+
 def mirrored_limbs(limbs: Iterable[Limb]) -> list[Limb]:
     """Limbs and their mirror images across x = 0."""
     each = list(limbs)

@@ -20,6 +20,7 @@ from core.guidance.builtin.constructed.themes.cooking import COOKING
 from core.guidance.builtin.constructed.themes.desk_and_workshop import DESK_AND_WORKSHOP
 from core.guidance.builtin.constructed.themes.desk_machines import DESK_MACHINES
 from core.guidance.builtin.constructed.themes.desk_tools import DESK_TOOLS
+from core.guidance.builtin.constructed.themes.dinosaurs import DINOSAURS
 from core.guidance.builtin.constructed.themes.dogs import DOGS
 from core.guidance.builtin.constructed.themes.engines_of_war import ENGINES_OF_WAR
 from core.guidance.builtin.constructed.themes.fair import FAIR
@@ -40,6 +41,7 @@ from core.guidance.builtin.constructed.themes.missiles import MISSILES
 from core.guidance.builtin.constructed.themes.monuments import MONUMENTS
 from core.guidance.builtin.constructed.themes.monuments_of_stone import MONUMENTS_OF_STONE
 from core.guidance.builtin.constructed.themes.music import MUSIC
+from core.guidance.builtin.constructed.themes.mythical_beasts import MYTHICAL_BEASTS
 from core.guidance.builtin.constructed.themes.ninja_and_ropes import NINJA_AND_ROPES
 from core.guidance.builtin.constructed.themes.old_crafts import OLD_CRAFTS
 from core.guidance.builtin.constructed.themes.one_wheel_and_more import ONE_WHEEL_AND_MORE
@@ -49,6 +51,7 @@ from core.guidance.builtin.constructed.themes.playgrounds import PLAYGROUNDS
 from core.guidance.builtin.constructed.themes.rails_and_roads import RAILS_AND_ROADS
 from core.guidance.builtin.constructed.themes.redrawn import REDRAWN
 from core.guidance.builtin.constructed.themes.sailboat_and_excavator import SAILBOAT_AND_EXCAVATOR
+from core.guidance.builtin.constructed.themes.sea_animals import SEA_ANIMALS
 from core.guidance.builtin.constructed.themes.sewing import SEWING
 from core.guidance.builtin.constructed.themes.ships import SHIPS
 from core.guidance.builtin.constructed.themes.siege import SIEGE
@@ -115,6 +118,9 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **STAGE,
     **WORKSHOP,
     **FASTENERS,
+    **SEA_ANIMALS,
+    **DINOSAURS,
+    **MYTHICAL_BEASTS,
     **HEAVY_BEASTS,
     **LONG_NECKS,
     **CATTLE,

@@ -120,4 +120,4 @@ def solid_of(noun: str) -> str:
 
 def row_of(noun: str) -> str:
     """The thing whose rows the networks have; "" where they have none."""
-    return "" if noun in CONSTRUCTED and noun not in ORDER else solid_of(noun)
+    return "" if noun in CONSTRUCTED and solid_of(noun) not in ORDER else solid_of(noun)

@@ -169,6 +169,7 @@ COMMON_WILD_ANIMALS = {
             "grooves": "~7f9bb0",
         },
         Usual(12.0, FLESH, 0.24),
+        constructed=True,
     ),
     "dolphin": Noun(
         "; porpoise",
@@ -180,6 +181,7 @@ COMMON_WILD_ANIMALS = {
             "mouth": "-3a4a58",
         },
         Usual(2.4, FLESH, 0.26),
+        constructed=True,
     ),
     "shark": Noun(
         "; great white shark, hammerhead, hammerhead shark, megalodon, shark fish",
@@ -193,6 +195,7 @@ COMMON_WILD_ANIMALS = {
             "gills": "~36444f",
         },
         Usual(4.0, FLESH, 0.22),
+        constructed=True,
     ),
     "fish": Noun(
         "; goldfish, salmon, trout, tuna, piranha, carp, cod, anglerfish, swordfish, lionfish, "

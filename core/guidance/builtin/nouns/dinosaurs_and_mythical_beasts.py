@@ -14,6 +14,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-111111",
         },
         Usual(8.5, FLESH, 0.2),
+        constructed=True,
     ),
     "stegosaurus": Noun(
         "stegosaur; kentrosaurus, baby stegosaurus",
@@ -26,6 +27,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-111111",
         },
         Usual(8.0, FLESH, 0.2),
+        constructed=True,
     ),
     "brachiosaurus": Noun(
         "brachiosaur, sauropod, long neck dinosaur, long necked dinosaur; brontosaurus, "
@@ -38,6 +40,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-1c1718",
         },
         Usual(22.0, FLESH, 0.1),
+        constructed=True,
     ),
     "velociraptor": Noun(
         "velociraptors, raptor, raptors; deinonychus, utahraptor, dromaeosaur, baby velociraptor, "
@@ -50,6 +53,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-1c1718",
         },
         Usual(2.0, FLESH, 0.15),
+        constructed=True,
     ),
     "pterodactyl": Noun(
         "pterodactyls, pterosaur, pterosaurs; pteranodon, quetzalcoatlus, baby pterodactyl",
@@ -102,5 +106,6 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "socks": "?f3efe8",
         },
         Usual(2.6, FLESH, 0.3),
+        constructed=True,
     ),
 }

@@ -126,6 +126,7 @@ FIGURES = {
             "grooves": "~bfa95c",
         },
         Usual(6.0, FLESH, 0.23),
+        constructed=True,
     ),
     "dinosaur": Noun(
         "t-rex, t rex, trex, tyrannosaurus, dino; godzilla, allosaurus, tyrannosaurus rex, "
@@ -140,5 +141,6 @@ FIGURES = {
             "nostrils": "-2e3a18",
         },
         Usual(12.0, FLESH, 0.11),
+        constructed=True,
     ),
 }

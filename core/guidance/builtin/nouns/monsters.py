@@ -91,6 +91,7 @@ MONSTERS = {
             "quills": "~5c3a1c",
         },
         Usual(2.4, FLESH, 0.3),
+        constructed=True,
     ),
     "demon": Noun(
         "devil; imp, satan, lucifer, fiend",

@@ -148,5 +148,6 @@ SEA_ANIMALS = {
             "eyes": "-14100e",
         },
         Usual(6.0, FLESH, 0.3),
+        constructed=True,
     ),
 }

@@ -19,7 +19,7 @@ BEAR = Build(head=1.14, muzzle=0.8, snub=1.0, thick=1.45, stout=1.3, eye=0.02, c
 def _tail(draw: Draw, radius: float, tip: float) -> Limb:
     """A long one, hanging or raised."""
     if draw.chance(0.5):
-        return spine((0.48, 0.85, radius, 1), (0.62, 0.78, radius, 1), (0.7, 0.55, 0.9 * radius, 1), (0.78, 0.38, 0.85 * radius, 1), (0.9, 0.36, tip, 1))
+        return spine((0.48, 0.85, radius, 1), (0.62, 0.8, radius, 1), (0.75, 0.66, 0.9 * radius, 1), (0.9, 0.58, 0.85 * radius, 1), (1.04, 0.62, tip, 1))
     return spine((0.48, 0.85, radius, 1), (0.6, 0.86, radius, 1), (0.7, 0.98, 0.95 * radius, 1), (0.72, 1.16, 0.9 * radius, 1), (0.68, 1.3, tip, 1))
 
 
@@ -42,9 +42,9 @@ def _big_cat(draw: Draw) -> Parts:
 
 def _lion(draw: Draw) -> Parts:
     one = carnivore(BIG_CAT._replace(head=1.08), draw)
-    tail = spine((0.48, 0.85, 0.034, 1), (0.62, 0.78, 0.03, 1), (0.7, 0.55, 0.026, 1), (0.74, 0.42, 0.024, 1))
+    tail = spine((0.48, 0.85, 0.034, 1), (0.62, 0.8, 0.03, 1), (0.73, 0.67, 0.026, 1), (0.84, 0.59, 0.024, 1))
     whole = one.whole(tail, sides=(_round_ear(one, 0.045),))
-    tuft = spine((0.735, 0.44, 0.03, 1), (0.75, 0.36, 0.05, 1), (0.77, 0.27, 0.008, 1))
+    tuft = spine((0.82, 0.6, 0.03, 1), (0.92, 0.57, 0.05, 1), (1.03, 0.57, 0.008, 1))
     mane = [smooth_union(_ruff(one, draw), 0.022), smooth_union([tuft], 0.02)]
     return {"body": [whole, *one.paws], "mane": mane, "muzzle": one.muzzle(), **one.face(whole)}
 

@@ -75,7 +75,7 @@ def _wolf(draw: Draw) -> Parts:
     ruff = spine((-0.36, 0.86, 0.17, 0.85), (-0.47, 1.0, 0.15, 0.95))
     tufts = [aside((0.1, -0.4, 0.98, 0.07), (0.135, -0.43, 0.88, 0.03)), *dog.on_head(aside((0.1, -0.55, 1.14, 0.055), (0.15, -0.52, 1.08, 0.012)))]
     whole = dog.whole(ruff, sides=(pricked(dog), *tufts))
-    tail = spine((0.48, 0.85, 0.05, 1), (0.6, 0.8, 0.075, 1), (0.7, 0.62, 0.085, 1), (0.74, 0.44, 0.055, 1), (0.75, 0.34, 0.012, 1))
+    tail = spine((0.48, 0.85, 0.05, 1), (0.6, 0.81, 0.075, 1), (0.72, 0.7, 0.085, 1), (0.84, 0.6, 0.055, 1), (0.92, 0.55, 0.012, 1))
     return {"body": [whole, *dog.paws], "muzzle": dog.muzzle(), **dog.face(whole), "tail": [smooth_union([tail], 0.02)]}
 
 
@@ -84,7 +84,7 @@ def _fox(draw: Draw) -> Parts:
     tuft = dog.on_head(aside((0.09, -0.57, 1.13, 0.055), (0.16, -0.54, 1.08, 0.012)))
     tail = spine((0.46, 0.84, 0.04, 1), (0.6, 0.8, 0.075, 1), (0.76, 0.72, 0.1, 1), (0.93, 0.66, 0.085, 1), (1.06, 0.64, 0.012, 1))
     whole = dog.whole(tail, sides=(pricked(dog, 0.2, 0.062), *tuft))
-    tip = spine((0.9, 0.668, 0.084, 1), (0.96, 0.652, 0.079, 1), (1.06, 0.64, 0.016, 1))
+    tip = spine((0.9, 0.668, 0.086, 1), (0.97, 0.652, 0.079, 1), (1.07, 0.64, 0.018, 1))
     return {"body": [whole, *dog.paws], "tail tip": [smooth_union([tip], 0.02)], "muzzle": dog.muzzle(), **dog.face(whole)}
 
 
