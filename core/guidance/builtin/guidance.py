@@ -42,7 +42,14 @@ from core.guidance.builtin.offered import (
     offered_words,
     weights_error,
 )
-from core.guidance.builtin.painted_solid import PaintedSolid, bears, uncounted_of, uncut, unsized
+from core.guidance.builtin.painted_solid import (
+    PaintedSolid,
+    bears,
+    stated_sizes,
+    uncounted_of,
+    uncut,
+    unsized,
+)
 from core.guidance.builtin.palette import FINISHES, looks, painted
 from core.guidance.builtin.part_map import PARTS as PART_COUNT
 from core.guidance.builtin.part_map import known_part_map, part_map
@@ -55,6 +62,7 @@ from core.guidance.builtin.weights import load_weights
 from core.guidance.builtin.words.companions.bouquets import in_bunch
 from core.guidance.builtin.words.companions.glassware import glazed
 from core.guidance.builtin.words.grammar.lexicon import SLOTS, Vocabulary
+from core.guidance.builtin.words.phrases.poses import FOUR_LEGGED
 from core.guidance.builtin.words.phrases.slots import GEOMETRY_SLOTS, Words
 from core.guidance.builtin.words.vocabulary import parse
 from core.guidance.guidance import (
@@ -69,6 +77,7 @@ from core.guidance.guidance import (
 )
 from core.guidance.sds import eps_from_v
 
+FOLDED = ("sitting", "lying", "sleeping")  # poses of animals
 SIZE = 64
 COUNTED = 4  # drawings at most, until its parts are as many as stated
 NO_PICTURES = "no network has learnt its pictures: they are those of no thing in particular."
@@ -136,6 +145,13 @@ class BuiltinGuidance(Guidance):
         return coarse_latent(2 * srgb - o, o, SIZE)
 
 
+def is_constructed(words: Words) -> bool:
+    """Whether it is put together of simple solids. An animal whose legs are folded is not, where a
+    network draws it too: that one's legs are short enough to be folded."""
+    folded = words.pose in FOLDED and row_of(words.noun) and words.noun in FOUR_LEGGED
+    return words.noun in CONSTRUCTED and not folded
+
+
 class PromptedBuiltin(PromptedGuidance):
     """ε̂ of the built-in networks for one prompt.
 
@@ -180,9 +196,10 @@ class PromptedBuiltin(PromptedGuidance):
         net, words = self.builtin.solid, self.words
         if net is None or not words.noun:
             return self
-        if words.noun in CONSTRUCTED:
+        if is_constructed(words):
             own = solids_of(words.noun) if words.noun in APPENDAGES else None
             solid = solid_of_parts(words, net, own) if own else constructed(words, net, seed)
+            solid = solid.sized(stated_sizes(words)) if whole else solid
             return PromptedBuiltin(self.builtin, words, self.negative, solid, whole)
         formed = (words.noun, words.shape) in FORMS
         asked = words if formed else replace(words, shape="")

@@ -1,7 +1,7 @@
 """A drawn solid as it is painted: its parts, their markings, and the prompt's emblems on it."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 
 import torch
@@ -54,7 +54,7 @@ FACES = "head", "face"
 LID = 0.7  # sRGB, of the colour around it
 UNCUT = "left out, as only what the built-in prior puts together itself is cut."
 UNSIZED = "left out, as parts get sizes only on what the built-in prior puts together itself."
-FIXED = "left out, as the parts of this thing keep their sizes."
+FIXED = "left out, as the parts of this thing keep their thickness."
 UNCOUNTED = "left out, as parts are counted only on what the built-in prior puts together itself."
 UNFIT_COUNT = "left out, as that many do not fit there."
 NO_ROOM = "left out, as the thing has no room for it."
@@ -63,6 +63,14 @@ NO_ROOM = "left out, as the thing has no room for it."
 def product(factors: Mapping[str, float], words: Iterable[str]) -> float:
     """Of the words that have one."""
     return math.prod(factors.get(word, 1.0) for word in words)
+
+
+def stated_sizes(words: Words) -> dict[str, tuple[float, float]]:
+    """Of the parts that have another size: how many times as large, and of that how many times as
+    long."""
+    sizes = {name: size.split() for name, size in words.part_sizes}
+    each = {n: (product(PART_SCALES, w), product(PART_LENGTHS, w)) for n, w in sizes.items()}
+    return {name: by for name, by in each.items() if by != (1.0, 1.0)}
 
 
 class PaintedSolid:
@@ -99,11 +107,11 @@ class PaintedSolid:
         )
         own = dict(self.words.part_sizes) if self.whole else {}
         sizes = [own.get(name, "").split() for name in names]
+        stated = stated_sizes(self.words) if self.whole else {}
         slender = slender_parts(noun, names) if self.whole else [1.0] * len(names)
         each = zip(slender, sizes, strict=True)
         thick = [by * product(PART_WIDTHS, words) for by, words in each]
-        stated = [(product(PART_SCALES, w), product(PART_LENGTHS, w)) for w in sizes]
-        changed = {part: by for part, by in enumerate(stated) if by != (1.0, 1.0)}
+        changed = {part: stated[name] for part, name in enumerate(names) if name in stated}
         forms = Forms(flat, kept, cornered, least, thick, bodywork_of(noun, names), curved)
         return KnownParts(self.solid.distances, forms, wider, changed)
 
@@ -281,12 +289,12 @@ class PaintedSolid:
         stay = (part for part in self.words.absent if bears(self.words, part))
         no_room = (one.emblem for one in self.emblems if not one.has_place)
         drawn = self.whole and not isinstance(self.solid, Garment)
-        fixed = isinstance(self.solid, ConstructedSolid)
+        sized = stated_sizes(self.words) if isinstance(self.solid, ConstructedSolid) else None
         return (
             *(f"no {part}: {BEARS}" for part in stay),
             *(f"{emblem}: {NO_ROOM}" for emblem in no_room),
             *self.uncounted(),
-            *(() if drawn and not fixed else unsized(self.words, FIXED if drawn else UNSIZED)),
+            *(() if drawn and sized is None else unsized(self.words, sized if drawn else None)),
             *(() if drawn else uncut(self.words)),
         )
 
@@ -309,9 +317,11 @@ def _closed(paints: Sequence[Painted]) -> Iterator[Painted]:
     return (lid._replace(name=one.name) if one.name in shut else one for one in paints)
 
 
-def unsized(words: Words, why: str = UNSIZED) -> Iterator[str]:
-    """A note on each part whose size is left out."""
-    return (f"{size} {part}: {why}" for part, size in words.part_sizes)
+def unsized(words: Words, sized: Container[str] | None = None) -> Iterator[str]:
+    """A note on each part whose size is left out; ``sized``: the parts of what is put together
+    that have theirs."""
+    why, there = (UNSIZED, ()) if sized is None else (FIXED, sized)
+    return (f"{size} {part}: {why}" for part, size in words.part_sizes if part not in there)
 
 
 def uncounted_of(words: Words) -> Iterator[str]:

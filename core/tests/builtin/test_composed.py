@@ -47,7 +47,8 @@ def test_each_place_is_painted_as_the_thing_that_is_there():
     assert any(r > 0.5 and r > 2 * max(g, b) for r, g, b in colors), colors
     head = Body.of(cat.words, cat.solid).placed(guidance.made.places[0][0])
     top = head.verts[head.verts[:, 2] > head.verts[:, 2].quantile(0.9)]
-    assert (areas.of(top) < len(looks("cat"))).all()
+    mine = cat.areas()  # with the light in its eyes
+    assert mine and (areas.of(top) < len(mine.each)).all()
 
 
 @pytest.mark.parametrize(
@@ -88,6 +89,7 @@ def test_a_picture_is_predicted_by_the_thing_at_each_place(negative):
     sides = slice(8, 24), slice(40, 56)  # on the left points of the cat, then of the cushion
     for columns, thing, (place,) in zip(sides, drawn.made.things, drawn.made.places, strict=True):
         verts = Body.of(thing.words, thing.solid).placed(place).verts
+        verts = verts[verts[:, 2] > verts[:, 2].quantile(0.3)]  # not where they touch
         some = verts[torch.linspace(0, len(verts) - 1, 16 * 16).long()]
         surface[0, 3, 24:40, columns] = 1.0
         surface[0, 4:, 24:40, columns] = some.T.reshape(3, 16, 16)

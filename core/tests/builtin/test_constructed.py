@@ -40,7 +40,10 @@ def test_every_constructed_thing_has_its_solids():
     assert CONSTRUCTED.keys() == THINGS.keys() | APPENDAGES.keys()
     assert not THINGS.keys() & APPENDAGES.keys()
     unknown = {noun for noun in NOUNS if not row_of(noun)}
-    assert unknown == {noun for noun in CONSTRUCTED if solid_of(noun) not in ORDER} and row_of("violin") == "violin"
+    assert (
+        unknown == {noun for noun in CONSTRUCTED if solid_of(noun) not in ORDER}
+        and row_of("violin") == "violin"
+    )
 
 
 @pytest.mark.parametrize("noun", THINGS)
@@ -133,11 +136,33 @@ def test_a_round_one_keeps_its_own_form_with_a_note():
     assert not words.shape and any("keeps its own form" in note for note in words.notes)
 
 
-def test_its_parts_keep_their_sizes_with_a_note():
-    drawn = shipped_prior().prompted("a bicycle with large wheels", "").of_object(0)
-    assert any("large wheels" in note for note in drawn.left_out())
+@pytest.mark.parametrize(
+    ("prompt", "part"),
+    [("a dog with large ears", "ears"), ("a bicycle with large wheels", "wheels")],
+)
+def test_its_parts_have_the_stated_size_where_they_are_attached(prompt, part):
+    drawn = shipped_prior().prompted(prompt, "").of_object(0)
+    plain = shipped_prior().prompted(prompt.split(" with ")[0], "").of_object(0)
+    assert not drawn.left_out() and not plain.left_out()
+    index = list(looks(drawn.words.noun)).index(part)
+    long = []
+    for one in (drawn, plain):
+        boxes, others = one.parts().boxes(), one.parts().components
+        long.append(float((boxes[index][1] - boxes[index][0]).norm()))
+        verts = torch.cat([other.verts for other in others])
+        assert float(verts.norm(dim=1).max()) == pytest.approx(0.9, abs=0.03)
+    assert long[0] > 1.1 * long[1]
+    parts = drawn.parts()
+    meshes = [parts.surface_of(k) for k in range(len(parts.components))]
+    verts, faces = union(meshes, 0.0)
+    labels = component_labels(faces, len(verts))[1]
+    assert (labels == labels[0]).mean() > 0.99, "what grows stays attached"
+
+
+def test_its_parts_keep_their_thickness_with_a_note():
+    drawn = shipped_prior().prompted("a bicycle with thick wheels", "").of_object(0)
+    assert any("thick wheels" in note for note in drawn.left_out())
     whole = shipped_prior().prompted("a bicycle", "").of_object(0)
-    assert not whole.left_out()
     assert torch.equal(drawn.solid.mesh[0], whole.solid.mesh[0])
 
 

@@ -57,7 +57,7 @@ def _raised(one: Primitive, by: float) -> Primitive:
     low, high = by, (by - 1) * LEGS
     if one.form != "limbs":
         over = one.center[2] > LEGS
-        return one._replace(center=one.center + (0, 0, high if over else 0.0))
+        return one._replace(center=one.center + np.array((0, 0, high if over else 0.0)))
     limbs, softness = unpacked_limbs(one.lengths)
     for nodes in limbs:
         z = nodes[:, 2]
@@ -65,7 +65,9 @@ def _raised(one: Primitive, by: float) -> Primitive:
     return one._replace(lengths=packed_limbs(limbs, softness))
 
 
-def with_legs(of: Callable[[Draw], Parts], low: float = 0.93, high: float = 1.07) -> Callable[[Draw], Parts]:
+def with_legs(
+    of: Callable[[Draw], Parts], low: float = 0.93, high: float = 1.07
+) -> Callable[[Draw], Parts]:
     """An animal whose legs are longer or shorter by its seed."""
     return lambda draw: legged(of(draw), draw(low, high))
 
@@ -118,23 +120,36 @@ def eyes_on(
 def paw(x: float, y: float, radius: float, toes: int = 4, long: float = 1.0) -> Primitive:
     """A left paw on the ground."""
     r = radius
-    limbs = [aside((x, y + 0.45 * r, 0.72 * r, 0.62 * r), (x, y - 0.15 * r * long, 0.66 * r, 0.66 * r))]
+    limbs = [
+        aside((x, y + 0.45 * r, 0.72 * r, 0.62 * r), (x, y - 0.15 * r * long, 0.66 * r, 0.66 * r))
+    ]
     for t in np.linspace(-1, 1, toes):
-        back, tip = (x + 0.35 * r * t, y - 0.2 * r), (x + 0.62 * r * t, y - long * r * (1.05 - 0.25 * t * t))
+        back, tip = (
+            (x + 0.35 * r * t, y - 0.2 * r),
+            (x + 0.62 * r * t, y - long * r * (1.05 - 0.25 * t * t)),
+        )
         limbs.append(aside((*back, 0.72 * r, 0.4 * r), (*tip, 0.38 * r, 0.36 * r)))
     return smooth_union(limbs, 0.09 * r)
 
 
 def hoof(x: float, y: float, radius: float, high: float = 0.07) -> Primitive:
     """A left hoof of one toe on the ground."""
-    return rod((x, y + 0.03 * radius, high), (x, y - 0.35 * radius, 0), 0.64 * radius, radius, 0.008)
+    return rod(
+        (x, y + 0.03 * radius, high), (x, y - 0.35 * radius, 0), 0.64 * radius, radius, 0.008
+    )
 
 
 def cloven(x: float, y: float, radius: float, high: float = 0.06) -> list[Primitive]:
     """A left hoof of two toes on the ground."""
     r = radius
     return [
-        rod((x + 0.28 * s * r, y, high), (x + 0.4 * s * r, y - 0.4 * r, 0), 0.42 * r, 0.56 * r, 0.006)
+        rod(
+            (x + 0.28 * s * r, y, high),
+            (x + 0.4 * s * r, y - 0.4 * r, 0),
+            0.42 * r,
+            0.56 * r,
+            0.006,
+        )
         for s in (-1, 1)
     ]
 
@@ -148,7 +163,7 @@ def along(points: Sequence[Place], t: float) -> Point:
 def locks(
     points: Sequence[Place], count: int, fall: Sequence[Place], radii: Sequence[float]
 ) -> list[Limb]:
-    """Locks of hair that hang from a line, each along ``fall`` from its place, and a little uneven."""
+    """Locks of hair that hang from a line, a little uneven, each along ``fall`` from its place."""
     found = []
     for k, t in enumerate(np.linspace(0, 1, count)):
         root, by = along(points, t), 0.03 * np.sin(3.7 * k)

@@ -81,7 +81,9 @@ def pipe(points: Places, radius: float | Sequence[float], closed: bool = False) 
     return Primitive("pipes", np.zeros(3), np.zeros(3), packed_pipes([Pipe(nodes, closed)]))
 
 
-def limb(points: Places, radius: float | Sequence[float], wide: float | Sequence[float] = 1.0) -> Limb:
+def limb(
+    points: Places, radius: float | Sequence[float], wide: float | Sequence[float] = 1.0
+) -> Limb:
     """A smooth curve through points, with a radius at each, and how many times as wide as deep it
     is there; for ``smooth_union``."""
     count = len(points)

@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 import torch
 from jaxtyping import Float, Int
-from scipy.sparse.csgraph import connected_components
 from torch import Tensor
 
 from core.geometry.lattice import Lattice
@@ -15,6 +15,7 @@ from core.geometry.parts.assembly import KnownParts
 from core.geometry.parts.components import Component, Mesh, Place
 from core.geometry.parts.forms import Forms
 from core.geometry.parts.primitives import Primitive
+from core.guidance.builtin.constructed.sizes import Changed, changed, groups
 from core.guidance.builtin.palette import looks
 from core.guidance.builtin.solid import FAR, Solid
 from core.guidance.builtin.solid_net import PARTS, SolidNet, Triplane
@@ -31,7 +32,7 @@ NOTHING = Triplane([], [], torch.zeros(1, 0), torch.zeros(1, 2, dtype=torch.bool
 class ConstructedSolid(Solid):
     """Simple solids by part of its noun, training units."""
 
-    solids: Mapping[str, Sequence[Primitive]] = field(kw_only=True)
+    solids: Mapping[str, Sequence[Primitive | Changed]] = field(kw_only=True)
     names: tuple[str, ...] = field(kw_only=True)  # of the noun's parts
 
     @torch.no_grad()
@@ -48,7 +49,7 @@ class ConstructedSolid(Solid):
         each = torch.stack([one.distance(local) for one in self.solids[name]])
         return each.amin(0) * min(self.frame.scale)
 
-    def surface_of(self, one: Primitive) -> Mesh:
+    def surface_of(self, one: Primitive | Changed) -> Mesh:
         """A solid's surface."""
         verts, faces = one.mesh(EDGE)
         return self._placed(verts), faces
@@ -64,6 +65,17 @@ class ConstructedSolid(Solid):
         x, y, z = factors
         frame = frame_of(self.mesh[0], (x, y, z))
         return replace(self, frame=frame)
+
+    def sized(self, sizes: Mapping[str, tuple[float, float]]) -> "ConstructedSolid":
+        """With parts in another size, in the training's place and size: how many times as large
+        each is, and of that how many times as long."""
+        there = {name: by for name, by in sizes.items() if self.solids.get(name)}
+        others = len([name for name in self.solids if self.solids[name]])
+        if not there or others < 2:
+            return self
+        made = {name: changed(self.solids, name, *by, EDGE) for name, by in there.items()}
+        solid = replace(self, solids={**self.solids, **made})
+        return cast(ConstructedSolid, solid.framing(solid.mesh[0]))
 
     @cached_property
     def known(self) -> "ConstructedParts":
@@ -101,7 +113,7 @@ class ConstructedParts(KnownParts):
             self._component(k, one) for k, name in each for one in self.solid.solids.get(name, ())
         ]
 
-    def _component(self, part: int, one: Primitive) -> Component:
+    def _component(self, part: int, one: Primitive | Changed) -> Component:
         verts, faces = self.solid.surface_of(one)
         ends = [end.double().numpy() for end in (verts.amin(0), verts.amax(0))]
         here = Place(part, *ends, lambda points: torch.zeros(len(points), dtype=torch.bool))
@@ -137,7 +149,6 @@ def _joined(boxes: Sequence[Float[Tensor, "2 3"]]) -> list[Float[Tensor, "2 3"]]
     if not boxes:
         return []
     low, high = torch.stack(list(boxes)).unbind(1)
-    meet = (low[:, None] <= high).all(2) & (low <= high[:, None]).all(2)
-    count, group = connected_components(meet.numpy(), directed=False)
-    each = (torch.as_tensor(group == k) for k in range(count))
+    group = groups(boxes)
+    each = (group == k for k in range(int(group.max()) + 1))
     return [torch.stack([low[own].amin(0), high[own].amax(0)]) for own in each]

@@ -30,7 +30,9 @@ def feathered_wing(at: Place, size: float, feathers: int = 11) -> tuple[Primitiv
         return root + size * (frame @ np.array([rear, up, off]))
 
     arm = [(0.0, 0.0), (-0.06, 0.34), (0.04, 0.62), (0.3, 0.98)]
-    bone = limb([place(*p) for p in arm], [0.07 * size, 0.06 * size, 0.045 * size, 0.016 * size], 0.7)
+    bone = limb(
+        [place(*p) for p in arm], [0.07 * size, 0.06 * size, 0.045 * size, 0.016 * size], 0.7
+    )
     long, short = [], [bone]
     for k, t in enumerate(np.linspace(0.12, 1, feathers)):
         start = along([(*p, 0) for p in arm], t)[:2]
@@ -38,9 +40,13 @@ def feathered_wing(at: Place, size: float, feathers: int = 11) -> tuple[Primitiv
         step = np.array([np.cos(way), np.sin(way)])
         far, off = np.interp(t, (0, 0.5, 1), (0.5, 0.62, 0.62)), 0.012 * (k % 2)
         ends = [start + f * far * step + np.array([0, -0.05 * f * f]) for f in (0.0, 0.4, 0.8, 1.0)]
-        long.append(_feather([place(*p, off) for p in ends], size * np.array([0.04, 0.062, 0.056, 0.02])))
+        long.append(
+            _feather([place(*p, off) for p in ends], size * np.array([0.04, 0.062, 0.056, 0.02]))
+        )
         ends = [start + f * 0.42 * far * step for f in (0.0, 0.6, 1.0)]
-        short.append(_feather([place(*p, 0.024 - off) for p in ends], size * np.array([0.05, 0.06, 0.02])))
+        short.append(
+            _feather([place(*p, 0.024 - off) for p in ends], size * np.array([0.05, 0.06, 0.02]))
+        )
     return smooth_union(short, 0.008 * size), smooth_union(long, 0.004 * size)
 
 
@@ -48,7 +54,9 @@ def _feather(points: Sequence[Point], radii: np.ndarray) -> Limb:
     return limb(points, list(radii), 0.3)
 
 
-def skin_wing(at: Place, size: float, thick: float = 0.021) -> tuple[list[Primitive], list[Primitive]]:
+def skin_wing(
+    at: Place, size: float, thick: float = 0.021
+) -> tuple[list[Primitive], list[Primitive]]:
     """A dragon's or a bat's wing from a shoulder: its skin, and its bones."""
     frame, root = _frame(LEAN), np.array(at, float)
 
@@ -64,10 +72,20 @@ def skin_wing(at: Place, size: float, thick: float = 0.021) -> tuple[list[Primit
         for t in np.linspace(0, 1, 7)[:-1]:  # a curve between two fingers
             edge.append((1 - t) ** 2 * a + 2 * t * (1 - t) * hollow + t * t * b)
     skin = plate(size * np.array(edge), thick * size, root, frame)
-    arm = [limb([place(0, 0), place(*elbow), place(*wrist)], [0.05 * size, 0.042 * size, 0.036 * size])]
-    claw = limb([place(*wrist), place(-0.07, 0.88), place(-0.06, 0.95)], [0.03 * size, 0.022 * size, 0.006 * size])
+    arm = [
+        limb([place(0, 0), place(*elbow), place(*wrist)], [0.05 * size, 0.042 * size, 0.036 * size])
+    ]
+    claw = limb(
+        [place(*wrist), place(-0.07, 0.88), place(-0.06, 0.95)],
+        [0.03 * size, 0.022 * size, 0.006 * size],
+    )
     fingers = []
     for x, z in tips:
         middle = ((wrist[0] + x) / 2 + 0.03, (wrist[1] + z) / 2 + 0.07)
-        fingers.append(limb([place(*wrist), place(*middle), place(x, z)], [0.03 * size, 0.022 * size, 0.014 * size]))
+        fingers.append(
+            limb(
+                [place(*wrist), place(*middle), place(x, z)],
+                [0.03 * size, 0.022 * size, 0.014 * size],
+            )
+        )
     return [skin], [smooth_union([*arm, claw, *fingers], 0.01 * size)]

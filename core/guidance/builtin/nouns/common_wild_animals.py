@@ -15,7 +15,7 @@ COMMON_WILD_ANIMALS = {
             "mouth": "-2a2422",
             "ears": "-d9a8a0",
         },
-        Usual(1.3, FLESH, 0.38),
+        Usual(1.3, FLESH, 0.76),
         constructed=True,
     ),
     "fox": Noun(
@@ -29,7 +29,7 @@ COMMON_WILD_ANIMALS = {
             "mouth": "-2a1c18",
             "paws": "?f3efe8",
         },
-        Usual(0.9, FLESH, 0.3),
+        Usual(0.9, FLESH, 0.59),
         constructed=True,
     ),
     "bear": Noun(
@@ -44,7 +44,7 @@ COMMON_WILD_ANIMALS = {
             "ears": "-b08a5e",
             "paws": "?f3efe8",
         },
-        Usual(2.0, FLESH, 0.3),
+        Usual(2.0, FLESH, 0.68),
         constructed=True,
     ),
     "deer": Noun(
@@ -59,7 +59,7 @@ COMMON_WILD_ANIMALS = {
             "nose": "-1a1818",
             "spots": "-f2e6d0",
         },
-        Usual(2.0, FLESH, 0.4),
+        Usual(2.0, FLESH, 0.51),
         constructed=True,
     ),
     "lion": Noun(
@@ -73,7 +73,7 @@ COMMON_WILD_ANIMALS = {
             "mouth": "-4a2c22",
             "paws": "?f3efe8",
         },
-        Usual(2.2, FLESH, 0.32),
+        Usual(2.2, FLESH, 0.61),
         constructed=True,
     ),
     "elephant": Noun(
@@ -85,7 +85,7 @@ COMMON_WILD_ANIMALS = {
             "eyes": "-111111",
             "nails": "-e6dcc8",
         },
-        Usual(5.0, FLESH, 0.26),
+        Usual(5.0, FLESH, 0.48),
         constructed=True,
     ),
     "giraffe": Noun(
@@ -97,7 +97,7 @@ COMMON_WILD_ANIMALS = {
             "eyes": "-111111",
             "patches": "-9a5a26",
         },
-        Usual(4.8, FLESH, 0.37),
+        Usual(4.8, FLESH, 0.42),
         constructed=True,
     ),
     "monkey": Noun(
@@ -168,7 +168,7 @@ COMMON_WILD_ANIMALS = {
             "glints": "-ffffff",
             "grooves": "~7f9bb0",
         },
-        Usual(12.0, FLESH, 0.24),
+        Usual(12.0, FLESH, 0.75),
         constructed=True,
     ),
     "dolphin": Noun(
@@ -180,7 +180,7 @@ COMMON_WILD_ANIMALS = {
             "glints": "-ffffff",
             "mouth": "-3a4a58",
         },
-        Usual(2.4, FLESH, 0.26),
+        Usual(2.4, FLESH),
         constructed=True,
     ),
     "shark": Noun(
@@ -194,7 +194,7 @@ COMMON_WILD_ANIMALS = {
             "glints": "-ffffff",
             "gills": "~36444f",
         },
-        Usual(4.0, FLESH, 0.22),
+        Usual(4.0, FLESH, 0.67),
         constructed=True,
     ),
     "fish": Noun(

@@ -13,7 +13,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "hooves": "-e4d8ba",
             "eyes": "-111111",
         },
-        Usual(8.5, FLESH, 0.2),
+        Usual(8.5, FLESH, 0.42),
         constructed=True,
     ),
     "stegosaurus": Noun(
@@ -26,7 +26,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "hooves": "-e4d8ba",
             "eyes": "-111111",
         },
-        Usual(8.0, FLESH, 0.2),
+        Usual(8.0, FLESH, 0.42),
         constructed=True,
     ),
     "brachiosaurus": Noun(
@@ -39,7 +39,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "nails": "-efe4c4",
             "eyes": "-1c1718",
         },
-        Usual(22.0, FLESH, 0.1),
+        Usual(22.0, FLESH, 0.17),
         constructed=True,
     ),
     "velociraptor": Noun(
@@ -52,7 +52,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "claws": "-f0e4c4",
             "eyes": "-1c1718",
         },
-        Usual(2.0, FLESH, 0.15),
+        Usual(2.0, FLESH, 0.26),
         constructed=True,
     ),
     "pterodactyl": Noun(
@@ -77,7 +77,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "nails": "-e0cba4",
             "eyes": "-1c1718",
         },
-        Usual(4.2, FLESH, 0.8),
+        Usual(4.2, FLESH),
         constructed=True,
     ),
     "phoenix": Noun(
@@ -105,7 +105,7 @@ DINOSAURS_AND_MYTHICAL_BEASTS = {
             "eyes": "-1c2c4a",
             "socks": "?f3efe8",
         },
-        Usual(2.6, FLESH, 0.3),
+        Usual(2.6, FLESH, 0.9),
         constructed=True,
     ),
 }

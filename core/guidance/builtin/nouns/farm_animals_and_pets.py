@@ -18,7 +18,7 @@ FARM_ANIMALS_AND_PETS = {
             "mouth": "-2a1c18",
             "paws": "?f3efe8",
         },
-        Usual(0.8, FLESH, 0.76),
+        Usual(0.8, FLESH),
         constructed=True,
     ),
     "corgi": Noun(
@@ -31,7 +31,7 @@ FARM_ANIMALS_AND_PETS = {
             "nose": "-1a1818",
             "paws": "?f3efe8",
         },
-        Usual(0.6, FLESH, 0.67),
+        Usual(0.6, FLESH),
         constructed=True,
     ),
     "cat": Noun(
@@ -45,7 +45,7 @@ FARM_ANIMALS_AND_PETS = {
             "whiskers": "-5a4a40",
             "paws": "?f3efe8",
         },
-        Usual(0.45, FLESH, 0.56),
+        Usual(0.45, FLESH),
         constructed=True,
     ),
     "rabbit": Noun(
@@ -87,7 +87,7 @@ FARM_ANIMALS_AND_PETS = {
             "blaze": "-f2ece0",
             "socks": "?f3efe8",
         },
-        Usual(2.4, FLESH, 0.6),
+        Usual(2.4, FLESH, 0.97),
         constructed=True,
     ),
     "donkey": Noun(
@@ -102,7 +102,7 @@ FARM_ANIMALS_AND_PETS = {
             "glints": "-ffffff",
             "ears": "-d8b0a6",
         },
-        Usual(1.6, FLESH, 0.6),
+        Usual(1.6, FLESH),
         constructed=True,
     ),
     "cow": Noun(
@@ -117,7 +117,7 @@ FARM_ANIMALS_AND_PETS = {
             "nostrils": "-96605c",
             "socks": "?f3efe8",
         },
-        Usual(2.3, FLESH, 0.54),
+        Usual(2.3, FLESH, 0.98),
         constructed=True,
     ),
     "bull": Noun(
@@ -133,7 +133,7 @@ FARM_ANIMALS_AND_PETS = {
             "eyes": EYES_LOOK,
             "socks": "?f3efe8",
         },
-        Usual(2.4, FLESH, 0.75),
+        Usual(2.4, FLESH),
         constructed=True,
     ),
     "sheep": Noun(
@@ -146,7 +146,7 @@ FARM_ANIMALS_AND_PETS = {
             "pupils": "-121212",
             "curls": "~c9c2b0",
         },
-        Usual(1.2, FLESH, 0.28),
+        Usual(1.2, FLESH, 0.46),
         constructed=True,
     ),
     "pig": Noun(
@@ -159,7 +159,7 @@ FARM_ANIMALS_AND_PETS = {
             "glints": "-ffffff",
             "ears": "-d97f86",
         },
-        Usual(1.2, FLESH, 0.68),
+        Usual(1.2, FLESH),
         constructed=True,
     ),
     "chicken": Noun(

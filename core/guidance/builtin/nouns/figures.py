@@ -110,7 +110,7 @@ FIGURES = {
             "nostrils": "-b89ab0",
             "twist": "~b8862a",
         },
-        Usual(2.4, FLESH, 0.66),
+        Usual(2.4, FLESH, 0.97),
         constructed=True,
     ),
     "dragon": Noun(
@@ -125,7 +125,7 @@ FIGURES = {
             "ribs": "&3f8a3c",
             "grooves": "~bfa95c",
         },
-        Usual(6.0, FLESH, 0.23),
+        Usual(6.0, FLESH, 0.57),
         constructed=True,
     ),
     "dinosaur": Noun(
@@ -140,7 +140,7 @@ FIGURES = {
             "stripes": "~44601e",
             "nostrils": "-2e3a18",
         },
-        Usual(12.0, FLESH, 0.11),
+        Usual(12.0, FLESH, 0.29),
         constructed=True,
     ),
 }

@@ -13,7 +13,7 @@ MAMMALS = {
             "nose": "-c9757a",
             "paws": "?f3efe8",
         },
-        Usual(2.4, FLESH, 0.3),
+        Usual(2.4, FLESH, 0.46),
         constructed=True,
     ),
     "leopard": Noun(
@@ -26,7 +26,7 @@ MAMMALS = {
             "nose": "-8a4a44",
             "paws": "?f3efe8",
         },
-        Usual(1.9, FLESH, 0.25),
+        Usual(1.9, FLESH, 0.27),
         constructed=True,
     ),
     "zebra": Noun(
@@ -40,7 +40,7 @@ MAMMALS = {
             "eyes": "-111111",
             "socks": "?f3efe8",
         },
-        Usual(2.3, FLESH, 0.5),
+        Usual(2.3, FLESH, 0.67),
         constructed=True,
     ),
     "rhino": Noun(
@@ -55,7 +55,7 @@ MAMMALS = {
             "nostrils": "-4a4c4e",
             "mouth": "-4a4c4e",
         },
-        Usual(3.6, FLESH, 0.4),
+        Usual(3.6, FLESH, 0.73),
         constructed=True,
     ),
     "hippo": Noun(
@@ -68,7 +68,7 @@ MAMMALS = {
             "hooves": "-d9cfc4",
             "eyes": "-111111",
         },
-        Usual(3.5, FLESH, 0.4),
+        Usual(3.5, FLESH, 0.65),
         constructed=True,
     ),
     "camel": Noun(
@@ -83,7 +83,7 @@ MAMMALS = {
             "mouth": "-5a4432",
             "nostrils": "-5a4432",
         },
-        Usual(2.8, FLESH, 0.4),
+        Usual(2.8, FLESH, 0.62),
         constructed=True,
     ),
     "llama": Noun(
@@ -96,7 +96,7 @@ MAMMALS = {
             "hooves": "-3a2c26",
             "eyes": EYES_LOOK,
         },
-        Usual(1.8, FLESH, 0.25),
+        Usual(1.8, FLESH, 0.39),
         constructed=True,
     ),
     "goat": Noun(
@@ -111,7 +111,7 @@ MAMMALS = {
             "glints": "-ffffff",
             "mouth": "-5a4c40",
         },
-        Usual(1.3, FLESH, 0.4),
+        Usual(1.3, FLESH, 0.63),
         constructed=True,
     ),
     "moose": Noun(
@@ -124,7 +124,7 @@ MAMMALS = {
             "hooves": "-231b17",
             "eyes": EYES_LOOK,
         },
-        Usual(2.8, FLESH, 0.3),
+        Usual(2.8, FLESH, 0.39),
         constructed=True,
     ),
     "kangaroo": Noun(
@@ -208,7 +208,7 @@ MAMMALS = {
             "nose": "-141112",
             "paws": "?f3efe8",
         },
-        Usual(0.45, FLESH, 0.6),
+        Usual(0.45, FLESH),
         constructed=True,
     ),
     "poodle": Noun(
@@ -220,7 +220,7 @@ MAMMALS = {
             "eyes": EYES_LOOK,
             "nose": "-191517",
         },
-        Usual(0.6, FLESH, 0.3),
+        Usual(0.6, FLESH),
         constructed=True,
     ),
     "skunk": Noun(
@@ -249,7 +249,7 @@ MAMMALS = {
             "glints": "-ffffff",
             "paws": "?f3efe8",
         },
-        Usual(0.8, FLESH, 0.2),
+        Usual(0.8, FLESH, 0.76),
         constructed=True,
     ),
     "beaver": Noun(

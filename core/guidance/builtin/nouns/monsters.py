@@ -90,7 +90,7 @@ MONSTERS = {
             "glints": "-ffffff",
             "quills": "~5c3a1c",
         },
-        Usual(2.4, FLESH, 0.3),
+        Usual(2.4, FLESH, 0.58),
         constructed=True,
     ),
     "demon": Noun(

@@ -147,7 +147,7 @@ SEA_ANIMALS = {
             "patches": "+f4f0e8",
             "eyes": "-14100e",
         },
-        Usual(6.0, FLESH, 0.3),
+        Usual(6.0, FLESH),
         constructed=True,
     ),
 }

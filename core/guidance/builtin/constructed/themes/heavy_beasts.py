@@ -6,28 +6,52 @@ import numpy as np
 
 from core.geometry.parts.limbs import Limb
 from core.geometry.parts.primitives import Primitive
-from core.guidance.builtin.constructed.anatomy import aside, body, eyes_on, locks, spine, with_legs
+from core.guidance.builtin.constructed.anatomy import (
+    aside,
+    body,
+    eyes_on,
+    on_surface,
+    spine,
+    with_legs,
+)
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import Parts, ball, both_sides, limb, smooth_union
-from core.guidance.builtin.constructed.themes.cattle import ear, tail
-from core.guidance.builtin.constructed.ungulate import Build, Ungulate, ungulate
+from core.guidance.builtin.constructed.themes.cattle import tail
+from core.guidance.builtin.constructed.ungulate import Build, ungulate
 
 
 def _pillars(front: float, hind: float, radius: float) -> list[Limb]:
     """Legs like pillars at such y."""
     return [
-        aside((0.15, front, 0.7, 1.25 * radius), (0.165, front - 0.01, 0.48, 1.05 * radius), (0.16, front, 0.3, 0.9 * radius), (0.16, front - 0.005, 0.12, 0.88 * radius), (0.16, front - 0.01, 0.08, 0.92 * radius)),
-        aside((0.13, hind, 0.72, 1.4 * radius), (0.16, hind - 0.02, 0.5, 1.15 * radius), (0.16, hind + 0.03, 0.3, 0.9 * radius), (0.16, hind + 0.02, 0.12, 0.86 * radius), (0.16, hind, 0.08, 0.92 * radius)),
+        aside(
+            (0.15, front, 0.7, 1.25 * radius),
+            (0.165, front - 0.01, 0.48, 1.05 * radius),
+            (0.16, front, 0.3, 0.9 * radius),
+            (0.16, front - 0.005, 0.12, 0.88 * radius),
+            (0.16, front - 0.01, 0.08, 0.92 * radius),
+        ),
+        aside(
+            (0.13, hind, 0.72, 1.4 * radius),
+            (0.16, hind - 0.02, 0.5, 1.15 * radius),
+            (0.16, hind + 0.03, 0.3, 0.9 * radius),
+            (0.16, hind + 0.02, 0.12, 0.86 * radius),
+            (0.16, hind, 0.08, 0.92 * radius),
+        ),
     ]
 
 
-def _nails(one: Primitive, places: list[float], radius: float, size: float = 0.024) -> list[Primitive]:
+def _nails(places: list[float], radius: float, size: float = 0.024) -> list[Primitive]:
     """Three on each foot."""
     found = []
     for y in places:
         for angle in (-50, 0, 50):
             a = np.radians(angle)
-            found.append(ball((size, size, 1.1 * size), (0.16 + radius * np.sin(a), y - radius * np.cos(a), 0.028)))
+            found.append(
+                ball(
+                    (size, size, 1.1 * size),
+                    (0.16 + radius * np.sin(a), y - radius * np.cos(a), 0.028),
+                )
+            )
     return both_sides(found)
 
 
@@ -35,13 +59,25 @@ _COAT = spine((-0.36, 0.84, 0.2, 0.95), (-0.2, 0.88, 0.21, 0.95), (0.1, 0.78, 0.
 
 
 def _elephant_body(draw: Draw, hump: float, *coat: Limb) -> Primitive:
-    back = spine((-0.38, 0.74, 0.2, 0.95), (-0.15, 0.72, 0.27, 0.95), (0.14, 0.7, 0.28, 0.98), (0.36, 0.7, 0.24, 0.98), (0.5, 0.7, 0.15, 1))
+    back = spine(
+        (-0.38, 0.74, 0.2, 0.95),
+        (-0.15, 0.72, 0.27, 0.95),
+        (0.14, 0.7, 0.28, 0.98),
+        (0.36, 0.7, 0.24, 0.98),
+        (0.5, 0.7, 0.15, 1),
+    )
     neck = spine((-0.4, 0.78, 0.18, 0.95), (-0.52, 0.84, 0.17, 0.95))
-    skull = spine((-0.54, 0.93 + hump, 0.15, 1.05), (-0.62, 0.86, 0.15, 1.0), (-0.68, 0.76, 0.12, 1.0))
+    skull = spine(
+        (-0.54, 0.93 + hump, 0.15, 1.05), (-0.62, 0.86, 0.15, 1.0), (-0.68, 0.76, 0.12, 1.0)
+    )
     jaw = spine((-0.6, 0.72, 0.085, 0.9), (-0.66, 0.63, 0.05, 0.9))
     curl = draw(-0.12, 0.12)
     trunk = spine(
-        (-0.68, 0.78, 0.105, 1), (-0.77, 0.66, 0.085, 1), (-0.8, 0.48, 0.066, 1), (-0.79, 0.3, 0.052, 1), (-0.8 - abs(curl), 0.16 + 0.4 * max(curl, 0), 0.043, 1),
+        (-0.68, 0.78, 0.105, 1),
+        (-0.77, 0.66, 0.085, 1),
+        (-0.8, 0.48, 0.066, 1),
+        (-0.79, 0.3, 0.052, 1),
+        (-0.8 - abs(curl), 0.16 + 0.4 * max(curl, 0), 0.043, 1),
         (-0.86 - 1.2 * abs(curl), 0.1 + 1.2 * max(curl, 0), 0.036, 1),
     )
     legs = _pillars(-0.3, 0.4, 0.105)
@@ -50,7 +86,12 @@ def _elephant_body(draw: Draw, hump: float, *coat: Limb) -> Primitive:
 
 def _tusks(long: float, curl: float = 0.0) -> list[Primitive]:
     x = 0.085
-    tusk = [(x, -0.68, 0.68), (x + 0.03, -0.78, 0.57), (x + 0.04 + curl, -0.78 - 0.14 * long, 0.53 + 0.2 * curl), (x + 0.03 - curl, -0.78 - 0.3 * long, 0.56 + 0.5 * curl)]
+    tusk = [
+        (x, -0.68, 0.68),
+        (x + 0.03, -0.78, 0.57),
+        (x + 0.04 + curl, -0.78 - 0.14 * long, 0.53 + 0.2 * curl),
+        (x + 0.03 - curl, -0.78 - 0.3 * long, 0.56 + 0.5 * curl),
+    ]
     return both_sides([smooth_union([limb(tusk, [0.034, 0.032, 0.026, 0.008])], 0.01)])
 
 
@@ -62,7 +103,13 @@ def _flap(size: float) -> Primitive:
         a = np.radians(angle)
         end = np.array((0.1 + 0.1 * np.cos(a), 0.9 * far * np.cos(a), far * np.sin(a))) * size
         root = np.array((0.125, -0.56, 0.9))
-        found.append(limb([root, root + 0.55 * end + (0.03, 0, 0), root + end], [0.05, 0.075 * size, 0.05 * size], 0.32))
+        found.append(
+            limb(
+                [root, root + 0.55 * end + (0.03, 0, 0), root + end],
+                [0.05, 0.075 * size, 0.05 * size],
+                0.32,
+            )
+        )
     return smooth_union(found, 0.02)
 
 
@@ -83,15 +130,36 @@ def _mammoth(draw: Draw) -> Parts:
     for k in range(13):
         t = k / 12
         y, x = -0.4 + 0.9 * t, 0.2 + 0.05 * np.sin(np.pi * t)
-        skirt.append(aside((x, y, 0.62, 0.075), (x + 0.04, y + 0.01, 0.48, 0.06), (x + 0.025, y + 0.02, 0.3 + 0.035 * (k % 2), 0.012)))
-    chest = [aside((x, -0.46 - 0.02 * (k % 2), 0.68, 0.08), (x, -0.54, 0.52, 0.055), (x, -0.52, 0.38, 0.012)) for k, x in enumerate((-0.1, 0.0, 0.1))]
-    crown = [spine((-0.53, 1.06, 0.13, 1.0), (-0.6, 1.05, 0.1, 1.0)), *(aside((x, -0.62, 1.07, 0.05), (1.3 * x, -0.72, 1.0, 0.035), (1.4 * x, -0.75, 0.92, 0.01)) for x in (-0.08, 0.0, 0.08))]
+        skirt.append(
+            aside(
+                (x, y, 0.62, 0.075),
+                (x + 0.04, y + 0.01, 0.48, 0.06),
+                (x + 0.025, y + 0.02, 0.3 + 0.035 * (k % 2), 0.012),
+            )
+        )
+    chest = [
+        aside(
+            (x, -0.46 - 0.02 * (k % 2), 0.68, 0.08),
+            (x, -0.54, 0.52, 0.055),
+            (x, -0.52, 0.38, 0.012),
+        )
+        for k, x in enumerate((-0.1, 0.0, 0.1))
+    ]
+    crown = [
+        spine((-0.53, 1.06, 0.13, 1.0), (-0.6, 1.05, 0.1, 1.0)),
+        *(
+            aside(
+                (x, -0.62, 1.07, 0.05), (1.3 * x, -0.72, 1.0, 0.035), (1.4 * x, -0.75, 0.92, 0.01)
+            )
+            for x in (-0.08, 0.0, 0.08)
+        ),
+    ]
     return {
         "fur": [whole],
         "hair": [smooth_union([*_both(skirt), *chest], 0.02), smooth_union(crown, 0.02)],
         "ears": both_sides([_flap(0.6)]),
         "tusks": _tusks(1.9, 0.11),
-        "nails": _nails(whole, [-0.31, 0.4], 0.098),
+        "nails": _nails([-0.31, 0.4], 0.098),
         "eyes": eyes_on(whole, (0, -0.66, 0.87), (-1, 0.35, 0), 0.022, 0.35),
     }
 
@@ -101,55 +169,119 @@ def _both(limbs: list[Limb]) -> list[Limb]:
 
 
 def _rhino(draw: Draw) -> Parts:
-    back = spine((-0.4, 0.66, 0.2, 0.95), (-0.16, 0.66, 0.27, 0.95), (0.14, 0.64, 0.28, 1.0), (0.38, 0.67, 0.24, 0.98), (0.5, 0.68, 0.15, 1))
+    back = spine(
+        (-0.4, 0.66, 0.2, 0.95),
+        (-0.16, 0.66, 0.27, 0.95),
+        (0.14, 0.64, 0.28, 1.0),
+        (0.38, 0.67, 0.24, 0.98),
+        (0.5, 0.68, 0.15, 1),
+    )
     hump = spine((-0.3, 0.84, 0.14, 0.8), (-0.18, 0.84, 0.12, 0.8))
     neck = spine((-0.42, 0.7, 0.19, 0.85), (-0.6, 0.62, 0.16, 0.85))
-    head = spine((-0.62, 0.62, 0.145, 0.85), (-0.76, 0.53, 0.115, 0.85), (-0.9, 0.43, 0.095, 0.9), (-0.95, 0.4, 0.09, 0.95))
-    ears = aside((0.085, -0.6, 0.75, 0.028, 0.9), (0.105, -0.6, 0.82, 0.034, 0.7), (0.11, -0.61, 0.88, 0.01, 0.8))
-    whole = body([back, hump, neck, head, *tail(0.36, 0.014, 0.98)], [*_pillars(-0.3, 0.4, 0.1), ears], 0.028)
+    head = spine(
+        (-0.62, 0.62, 0.145, 0.85),
+        (-0.76, 0.53, 0.115, 0.85),
+        (-0.9, 0.43, 0.095, 0.9),
+        (-0.95, 0.4, 0.09, 0.95),
+    )
+    ears = aside(
+        (0.085, -0.6, 0.75, 0.028, 0.9),
+        (0.105, -0.6, 0.82, 0.034, 0.7),
+        (0.11, -0.61, 0.88, 0.01, 0.8),
+    )
+    whole = body(
+        [back, hump, neck, head, *tail(0.36, 0.014, 0.98)], [*_pillars(-0.3, 0.4, 0.1), ears], 0.028
+    )
     long = draw(0.85, 1.2)
-    horns = [spine((-0.95, 0.48, 0.068, 0.9), (-1.03, 0.58, 0.052, 0.9), (-1.05, 0.6 + 0.17 * long, 0.01, 1)), spine((-0.83, 0.57, 0.05, 0.9), (-0.88, 0.65, 0.036, 0.9), (-0.89, 0.66 + 0.07 * long, 0.01, 1))]
-    plates = [smooth_union([spine((-0.3, 0.72, 0.256, 0.95), (-0.16, 0.71, 0.284, 0.95))], 0.02), smooth_union([spine((0.36, 0.7, 0.25, 0.99), (0.46, 0.69, 0.2, 0.99))], 0.02)]
+    horns = [
+        spine(
+            (-0.95, 0.48, 0.068, 0.9),
+            (-1.03, 0.58, 0.052, 0.9),
+            (-1.05, 0.6 + 0.17 * long, 0.01, 1),
+        ),
+        spine(
+            (-0.83, 0.57, 0.05, 0.9),
+            (-0.88, 0.65, 0.036, 0.9),
+            (-0.89, 0.66 + 0.07 * long, 0.01, 1),
+        ),
+    ]
+    plates = [
+        smooth_union([spine((-0.3, 0.72, 0.256, 0.95), (-0.16, 0.71, 0.284, 0.95))], 0.02),
+        smooth_union([spine((0.36, 0.7, 0.25, 0.99), (0.46, 0.69, 0.2, 0.99))], 0.02),
+    ]
     return {
         "body": [whole],
         "horns": [smooth_union([one], 0.01) for one in horns],
         "plates": plates,
-        "hooves": _nails(whole, [-0.31, 0.4], 0.092, 0.03),
+        "hooves": _nails([-0.31, 0.4], 0.092, 0.03),
         "eyes": eyes_on(whole, (0, -0.74, 0.6), (-1, 0.3, 0), 0.02, 0.35),
     }
 
 
 def _hippo(draw: Draw) -> Parts:
-    back = spine((-0.4, 0.56, 0.22, 1.0), (-0.12, 0.56, 0.3, 1.0), (0.18, 0.55, 0.31, 1.0), (0.42, 0.57, 0.25, 1.0))
+    fat = draw(0.94, 1.06)
+    back = spine(
+        (-0.4, 0.56, 0.22, 1.0),
+        (-0.12, 0.56, 0.3 * fat, 1.0),
+        (0.18, 0.55, 0.31 * fat, 1.0),
+        (0.42, 0.57, 0.25, 1.0),
+    )
     neck = spine((-0.4, 0.62, 0.21, 0.95), (-0.54, 0.66, 0.19, 0.95))
     head = spine((-0.56, 0.68, 0.16, 1.0), (-0.7, 0.63, 0.13, 1.0), (-0.84, 0.56, 0.13, 1.1))
     ears = aside((0.1, -0.54, 0.83, 0.03, 0.9), (0.13, -0.54, 0.885, 0.028, 0.8))
     brow = aside((0.085, -0.66, 0.77, 0.04), (0.085, -0.69, 0.77, 0.036))
     stub = spine((0.64, 0.62, 0.035, 1), (0.69, 0.54, 0.02, 1))
-    whole = body([back, neck, head, stub], [*(one * np.array([1, 1, 0.82, 1, 1]) for one in _pillars(-0.3, 0.42, 0.105)), ears, brow], 0.03)
-    snout = [spine((-0.85, 0.56, 0.155, 1.12), (-0.93, 0.53, 0.145, 1.15)), *_both([aside((0.09, -0.98, 0.585, 0.075), (0.09, -0.97, 0.56, 0.08))])]
-    teeth = both_sides([smooth_union([aside((0.1, -1.0, 0.44, 0.024), (0.1, -1.035, 0.37, 0.018))], 0.01)])
+    whole = body(
+        [back, neck, head, stub],
+        [*(one * np.array([1, 1, 0.82, 1, 1]) for one in _pillars(-0.3, 0.42, 0.105)), ears, brow],
+        0.03,
+    )
+    snout = [
+        spine((-0.85, 0.56, 0.155, 1.12), (-0.93, 0.53, 0.145, 1.15)),
+        *_both([aside((0.09, -0.98, 0.585, 0.075), (0.09, -0.97, 0.56, 0.08))]),
+    ]
+    teeth = both_sides(
+        [smooth_union([aside((0.1, -1.0, 0.44, 0.024), (0.1, -1.035, 0.37, 0.018))], 0.01)]
+    )
     muzzle = smooth_union(snout, 0.03)
-    nostrils = [ball((0.024, 0.02, 0.018), (0.075, -1.045, 0.67))]
-    at = [np.array(one.center) for one in nostrils]
-    from core.guidance.builtin.constructed.anatomy import on_surface
 
-    placed = [ball((0.024, 0.02, 0.018), on_surface(muzzle, (at[0][0], -1.5, 1.1), (0, 0.75, -0.75)))]
+    nostril = on_surface(muzzle, (0.075, -1.5, 1.1), (0, 0.75, -0.75))
+    placed = [ball((0.024, 0.02, 0.018), nostril)]
     return {
         "body": [whole],
         "muzzle": [muzzle],
         "nostrils": both_sides(placed),
         "teeth": teeth,
-        "hooves": _nails(whole, [-0.31, 0.42], 0.098),
+        "hooves": _nails([-0.31, 0.42], 0.098),
         "eyes": eyes_on(whole, (0, -0.675, 0.79), (-1, 0.4, 0), 0.022, 0.3),
     }
 
 
 def _pig(draw: Draw) -> Parts:
-    build = Build(neck=0.12, carry=14, nape=0.15, throat=0.21, head=0.33, face=26, skull=0.15, nose=0.078, wide=0.95, thick=1.15, stout=1.18, eye=0.022)
+    build = Build(
+        neck=0.12,
+        carry=14,
+        nape=0.15,
+        throat=0.21,
+        head=0.33,
+        face=26,
+        skull=0.15,
+        nose=0.078,
+        wide=0.95,
+        thick=1.15,
+        stout=1.18,
+        eye=0.022,
+    )
     one = ungulate(build, draw)
-    curl = aside(*[(0.045 * np.sin(a), 0.6 + 0.012 * a, 0.86 + 0.045 * (1 - np.cos(a)), 0.022 - 0.0012 * a) for a in np.linspace(0, 9.5, 14)])
-    ears = one.on_head((0.06, 0.32, 0.24, 0.12, 0.9), (0.12, 0.48, 0.36, 0.13, 0.6), (0.32, 0.52, 0.46, 0.025, 0.8))
+    curl = aside(
+        *[
+            (0.045 * np.sin(a), 0.6 + 0.012 * a, 0.86 + 0.045 * (1 - np.cos(a)), 0.022 - 0.0012 * a)
+            for a in np.linspace(0, 9.5, 14)
+        ]
+    )
+    ears = one.on_head(
+        (0.06, 0.32, 0.24, 0.12, 0.9), (0.12, 0.48, 0.36, 0.13, 0.6), (0.32, 0.52, 0.46, 0.025, 0.8)
+    )
     whole = one.whole(curl, sides=(ears,))
     disc = one.on_head((1.06, -0.04, 0, 0.235, 1.15), (1.2, -0.03, 0, 0.225, 1.15))
     return {

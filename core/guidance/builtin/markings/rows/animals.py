@@ -87,9 +87,7 @@ ANIMALS: Rows = {
             face_lines("body", ((-13.0, -11.3), (-7.0, -10.9), (-4.8, -10.2)), side=True, wide=0.3),
             face_spots("body", (-2.1, -8.8, -9.0), sizes=(0.6, 1.2, 0.8)),
         ),
-        "blaze": face_spots(
-            "body", (-3.4, -3.2, -0.2), (-3.4, -4.8, -3.2), sizes=(1.1, 1.8, 2.4)
-        ),
+        "blaze": face_spots("body", (-3.4, -3.2, -0.2), (-3.4, -4.8, -3.2), sizes=(1.1, 1.8, 2.4)),
     },
     "donkey": {
         **GLINTS,
