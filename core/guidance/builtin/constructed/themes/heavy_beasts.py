@@ -120,7 +120,7 @@ def _elephant(draw: Draw) -> Parts:
         "body": [whole, smooth_union(rope, 0.015)],
         "ears": both_sides([_flap(draw(0.78, 0.94))]),
         "tusks": _tusks(draw(0.8, 1.2)),
-        "eyes": eyes_on(whole, (0, -0.66, 0.87), (-1, 0.35, 0), 0.022, 0.35),
+        "eyes": eyes_on(whole, (0, -0.71, 0.85), (-1, 0.45, 0), 0.026, 0.35),
     }
 
 
@@ -160,7 +160,7 @@ def _mammoth(draw: Draw) -> Parts:
         "ears": both_sides([_flap(0.6)]),
         "tusks": _tusks(1.9, 0.11),
         "nails": _nails([-0.31, 0.4], 0.098),
-        "eyes": eyes_on(whole, (0, -0.66, 0.87), (-1, 0.35, 0), 0.022, 0.35),
+        "eyes": eyes_on(whole, (0, -0.71, 0.85), (-1, 0.45, 0), 0.026, 0.35),
     }
 
 
