@@ -84,9 +84,8 @@ def weights_of(
     rows = []
     for k in range(count if closed else count - 1):
         bend = _angle(tangent[k] @ places, tangent[ahead[k]] @ places)
-        t = np.linspace(
-            0, 1, int(np.clip(np.ceil(bend / BEND), spans, max(spans, MOST_SPANS))) + 1
-        )[:-1, None]
+        steps = max(int(np.clip(np.ceil(bend / BEND), 1, MOST_SPANS)), spans)
+        t = np.linspace(0, 1, steps + 1)[:-1, None]
         rows.append(
             (1 + 2 * t) * (1 - t) ** 2 * unit[k]
             + t**2 * (3 - 2 * t) * unit[ahead[k]]

@@ -14,12 +14,14 @@ from core.guidance.builtin.constructed.shapes import (
     box,
     circle,
     framed,
+    limb,
     moved,
     of_training_size,
     pipe,
     plate,
     ring,
     rod,
+    smooth_union,
     spun,
     turned,
 )
@@ -69,6 +71,13 @@ SOLIDS = {
     "plate": plate([(0, 0), (0.5, 0), (0.2, 0.6)], 0.1, (0.2, 0, 0), FRONT),
     "holed": plate(circle(0.4), 0.1, (0.2, 0.1, 0), SIDE, [circle(0.2)]),
     "turned": turned([(0, 0), (0.3, 0), (0.2, 0.4), (0, 0.4)], (0.3, 0, 0)),
+    "limbs": smooth_union(
+        [
+            limb([(0.1, 0, 0), (0.4, 0.2, 0.3)], (0.1, 0.08), (1.0, 1.4)),
+            limb([(0.3, 0, 0), (0.3, 0.5, 0)], 0.1),
+        ],
+        0.05,
+    ),
 }
 
 
@@ -131,6 +140,18 @@ def test_it_is_stretched_for_a_shape_adjective(adjective, axis):
     assert torch.allclose(parts, other.mesh[0])
 
 
+@pytest.mark.parametrize(
+    ("prompt", "by"), [("a round pig", 1.4), ("a round cow", 1.4), ("a thin horse", 0.62)]
+)
+def test_an_animal_is_wide_or_narrow_and_as_long_as_it_is(prompt, by):
+    plain, other = (
+        shipped_prior().prompted(words, "").of_object(0).solid.mesh[0]
+        for words in (f"a {prompt.split()[-1]}", prompt)
+    )
+    wide, long, _ = (other.amax(0) - other.amin(0)) / (plain.amax(0) - plain.amin(0))
+    assert float(wide / long) == pytest.approx(by, rel=1e-3)
+
+
 def test_a_round_one_keeps_its_own_form_with_a_note():
     words = parse("a round swimming pool")
     assert not words.shape and any("keeps its own form" in note for note in words.notes)
@@ -177,3 +198,9 @@ def test_solids_of_a_part_that_meet_are_one_place_for_its_markings():
     walls, roofs = solid.known.component_boxes()
     assert len(walls) == 2 and roofs == []
     assert sorted(float((box[1] - box[0]).max()) for box in walls) == pytest.approx([0.2, 0.4])
+
+
+@pytest.mark.parametrize(("pose", "drawn"), [("sitting", False), ("running", True)])
+def test_an_animal_whose_legs_are_folded_is_the_networks(pose, drawn):
+    (first,) = shipped_prior().prompted(f"a {pose} dog", "").of_object(0).made.things
+    assert isinstance(first.solid, ConstructedSolid) is drawn

@@ -154,6 +154,18 @@ def cloven(x: float, y: float, radius: float, high: float = 0.06) -> list[Primit
     ]
 
 
+def nails(
+    places: Iterable[tuple[float, float]], radius: float, spread: float, size: float
+) -> list[Primitive]:
+    """Three on each foot, whose middles on the left are at such x and y; ``spread``: degrees."""
+    found = []
+    for x, y in places:
+        for angle in np.radians([-spread, 0.0, spread]):
+            at = (x + radius * np.sin(angle), y - radius * np.cos(angle), 1.1 * size)
+            found.append(ball((size, size, 1.1 * size), at))
+    return both_sides(found)
+
+
 def along(points: Sequence[Place], t: float) -> Point:
     """A place on a broken line: from 0, its first point, to 1, its last."""
     each = np.array(points, float)

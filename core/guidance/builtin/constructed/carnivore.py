@@ -101,6 +101,7 @@ def carried(build: Build, limbs: Iterable[Limb]) -> list[Limb]:
 
 
 def carnivore(build: Build, draw: Draw) -> Carnivore:
+    """One of that build, a little different by its seed."""
     build = build._replace(
         head=build.head * draw(0.95, 1.06),
         muzzle=build.muzzle * draw(0.88, 1.15),

@@ -24,7 +24,7 @@ from core.guidance.builtin.words.phrases.slots import Words
 
 EDGE = 0.05  # training units: of the meshes' flat faces
 ERROR = 0.02  # training units
-THICK = 1.4  # times
+ALONG_SHORTEST = {"thick": 1.4, "thin": 0.62, "round": 1.4}  # times: a plump animal is wide
 NOTHING = Triplane([], [], torch.zeros(1, 0), torch.zeros(1, 2, dtype=torch.bool))  # is asked
 
 
@@ -55,13 +55,13 @@ class ConstructedSolid(Solid):
         return self._placed(verts), faces
 
     def stretched(self, adjective: str) -> "ConstructedSolid":
-        """The thing stretched for an adjective, in the training's place and size; a thick one along
-        its shortest side."""
+        """The thing stretched for an adjective, in the training's place and size; a thick, a thin
+        or a round one along its shortest side."""
         factors = list(STRETCH[adjective][0])
-        if adjective == "thick":
+        if by := ALONG_SHORTEST.get(adjective):
             verts = self.mesh[0]
             shortest = int((verts.amax(0) - verts.amin(0)).argmin())
-            factors = [THICK if axis == shortest else 1.0 for axis in range(3)]
+            factors = [by if axis == shortest else 1.0 for axis in range(3)]
         x, y, z = factors
         frame = frame_of(self.mesh[0], (x, y, z))
         return replace(self, frame=frame)

@@ -60,6 +60,7 @@ from core.guidance.builtin.constructed.themes.smoking import SMOKING
 from core.guidance.builtin.constructed.themes.spacecraft import SPACECRAFT
 from core.guidance.builtin.constructed.themes.stage import STAGE
 from core.guidance.builtin.constructed.themes.structures import STRUCTURES
+from core.guidance.builtin.constructed.themes.theropods import THEROPODS
 from core.guidance.builtin.constructed.themes.tools_and_care import TOOLS_AND_CARE
 from core.guidance.builtin.constructed.themes.towers_and_flight import TOWERS_AND_FLIGHT
 from core.guidance.builtin.constructed.themes.treehouse_and_tank import TREEHOUSE_AND_TANK
@@ -120,6 +121,7 @@ THINGS: dict[str, Callable[[Draw], Parts]] = {
     **FASTENERS,
     **SEA_ANIMALS,
     **DINOSAURS,
+    **THEROPODS,
     **MYTHICAL_BEASTS,
     **HEAVY_BEASTS,
     **LONG_NECKS,

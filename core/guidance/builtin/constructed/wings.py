@@ -7,12 +7,19 @@ import numpy as np
 from core.geometry.parts.limbs import Limb
 from core.geometry.parts.primitives import Primitive
 from core.guidance.builtin.constructed.anatomy import along
-from core.guidance.builtin.constructed.shapes import Place, Point, limb, plate, smooth_union
+from core.guidance.builtin.constructed.shapes import (
+    Frame,
+    Place,
+    Point,
+    limb,
+    plate,
+    smooth_union,
+)
 
 LEAN = np.radians(35.0)  # of a raised wing, outwards
 
 
-def _frame(lean: float) -> np.ndarray:
+def _frame(lean: float) -> Frame:
     """Columns: to the rear, upwards within the wing, and across it."""
     up = np.array([np.sin(lean), 0, np.cos(lean)])
     rear = np.array([0.0, 1.0, 0.0])
@@ -72,9 +79,9 @@ def skin_wing(
         for t in np.linspace(0, 1, 7)[:-1]:  # a curve between two fingers
             edge.append((1 - t) ** 2 * a + 2 * t * (1 - t) * hollow + t * t * b)
     skin = plate(size * np.array(edge), thick * size, root, frame)
-    arm = [
-        limb([place(0, 0), place(*elbow), place(*wrist)], [0.05 * size, 0.042 * size, 0.036 * size])
-    ]
+    arm = limb(
+        [place(0, 0), place(*elbow), place(*wrist)], [0.05 * size, 0.042 * size, 0.036 * size]
+    )
     claw = limb(
         [place(*wrist), place(-0.07, 0.88), place(-0.06, 0.95)],
         [0.03 * size, 0.022 * size, 0.006 * size],
@@ -88,4 +95,4 @@ def skin_wing(
                 [0.03 * size, 0.022 * size, 0.014 * size],
             )
         )
-    return [skin], [smooth_union([*arm, claw, *fingers], 0.01 * size)]
+    return [skin], [smooth_union([arm, claw, *fingers], 0.01 * size)]

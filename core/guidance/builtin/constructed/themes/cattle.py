@@ -12,6 +12,7 @@ from core.guidance.builtin.constructed.shapes import (
     Parts,
     ball,
     both_sides,
+    mirrored_limbs,
     ring,
     smooth_union,
 )
@@ -158,19 +159,10 @@ def _sheep(draw: Draw) -> Parts:
         (0.0, 0.2, -0.14, 0.16, 1), (0.0, 0.26, 0.0, 0.18, 1), (0.0, 0.2, 0.14, 0.16, 1)
     )
     front, hind = one.sides
-    legs = smooth_union(
-        [
-            *(
-                half
-                for own in (front[2:], hind[2:])
-                for half in (own, own * np.array([-1, 1, 1, 1, 1]))
-            )
-        ],
-        0.01,
-    )
+    legs = smooth_union(mirrored_limbs([front[2:], hind[2:]]), 0.01)
     head = one.whole(sides=(ear(one, 0.5, 0.08, 0.16),))
     face = smooth_union(
-        [one.middle[-1], one.middle[-2], *(ear for ear in _both(ear(one, 0.5, 0.1, 0.16)))], 0.02
+        [one.middle[-1], one.middle[-2], *mirrored_limbs([ear(one, 0.5, 0.1, 0.16)])], 0.02
     )
     return {
         "wool": [smooth_union(wool, 0.02), smooth_union([crown], 0.02)],
@@ -178,10 +170,6 @@ def _sheep(draw: Draw) -> Parts:
         "legs": [legs, *one.feet],
         "eyes": one.eyes(head),
     }
-
-
-def _both(one: Limb) -> list[Limb]:
-    return [one, one * np.array([-1, 1, 1, 1, 1])]
 
 
 def _goat(draw: Draw) -> Parts:

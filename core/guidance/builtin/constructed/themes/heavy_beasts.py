@@ -10,14 +10,29 @@ from core.guidance.builtin.constructed.anatomy import (
     aside,
     body,
     eyes_on,
+    nails,
     on_surface,
     spine,
     with_legs,
 )
 from core.guidance.builtin.constructed.draw import Draw
-from core.guidance.builtin.constructed.shapes import Parts, ball, both_sides, limb, smooth_union
+from core.guidance.builtin.constructed.shapes import (
+    Parts,
+    ball,
+    both_sides,
+    limb,
+    mirrored_limbs,
+    smooth_union,
+)
 from core.guidance.builtin.constructed.themes.cattle import tail
 from core.guidance.builtin.constructed.ungulate import Build, ungulate
+
+FOOT = 0.16  # how far the middle of a foot is aside
+
+
+def _feet(front: float, hind: float) -> list[tuple[float, float]]:
+    """Where the left ones are."""
+    return [(FOOT, front), (FOOT, hind)]
 
 
 def _pillars(front: float, hind: float, radius: float) -> list[Limb]:
@@ -38,21 +53,6 @@ def _pillars(front: float, hind: float, radius: float) -> list[Limb]:
             (0.16, hind, 0.08, 0.92 * radius),
         ),
     ]
-
-
-def _nails(places: list[float], radius: float, size: float = 0.024) -> list[Primitive]:
-    """Three on each foot."""
-    found = []
-    for y in places:
-        for angle in (-50, 0, 50):
-            a = np.radians(angle)
-            found.append(
-                ball(
-                    (size, size, 1.1 * size),
-                    (0.16 + radius * np.sin(a), y - radius * np.cos(a), 0.028),
-                )
-            )
-    return both_sides(found)
 
 
 _COAT = spine((-0.36, 0.84, 0.2, 0.95), (-0.2, 0.88, 0.21, 0.95), (0.1, 0.78, 0.2, 1.0))
@@ -156,16 +156,12 @@ def _mammoth(draw: Draw) -> Parts:
     ]
     return {
         "fur": [whole],
-        "hair": [smooth_union([*_both(skirt), *chest], 0.02), smooth_union(crown, 0.02)],
+        "hair": [smooth_union([*mirrored_limbs(skirt), *chest], 0.02), smooth_union(crown, 0.02)],
         "ears": both_sides([_flap(0.6)]),
         "tusks": _tusks(1.9, 0.11),
-        "nails": _nails([-0.31, 0.4], 0.098),
+        "nails": nails(_feet(-0.31, 0.4), 0.098, 50, 0.024),
         "eyes": eyes_on(whole, (0, -0.71, 0.85), (-1, 0.45, 0), 0.026, 0.35),
     }
-
-
-def _both(limbs: list[Limb]) -> list[Limb]:
-    return [*limbs, *(one * np.array([-1, 1, 1, 1, 1]) for one in limbs)]
 
 
 def _rhino(draw: Draw) -> Parts:
@@ -213,7 +209,7 @@ def _rhino(draw: Draw) -> Parts:
         "body": [whole],
         "horns": [smooth_union([one], 0.01) for one in horns],
         "plates": plates,
-        "hooves": _nails([-0.31, 0.4], 0.092, 0.03),
+        "hooves": nails(_feet(-0.31, 0.4), 0.092, 50, 0.03),
         "eyes": eyes_on(whole, (0, -0.74, 0.6), (-1, 0.3, 0), 0.02, 0.35),
     }
 
@@ -238,7 +234,7 @@ def _hippo(draw: Draw) -> Parts:
     )
     snout = [
         spine((-0.85, 0.56, 0.155, 1.12), (-0.93, 0.53, 0.145, 1.15)),
-        *_both([aside((0.09, -0.98, 0.585, 0.075), (0.09, -0.97, 0.56, 0.08))]),
+        *mirrored_limbs([aside((0.09, -0.98, 0.585, 0.075), (0.09, -0.97, 0.56, 0.08))]),
     ]
     teeth = both_sides(
         [smooth_union([aside((0.1, -1.0, 0.44, 0.024), (0.1, -1.035, 0.37, 0.018))], 0.01)]
@@ -252,7 +248,7 @@ def _hippo(draw: Draw) -> Parts:
         "muzzle": [muzzle],
         "nostrils": both_sides(placed),
         "teeth": teeth,
-        "hooves": _nails([-0.31, 0.42], 0.098),
+        "hooves": nails(_feet(-0.31, 0.42), 0.098, 50, 0.024),
         "eyes": eyes_on(whole, (0, -0.675, 0.79), (-1, 0.4, 0), 0.022, 0.3),
     }
 

@@ -5,7 +5,15 @@ from collections.abc import Callable
 import numpy as np
 
 from core.geometry.parts.primitives import Primitive
-from core.guidance.builtin.constructed.anatomy import aside, body, eyes_on, paw, spine, with_legs
+from core.guidance.builtin.constructed.anatomy import (
+    along,
+    aside,
+    body,
+    eyes_on,
+    paw,
+    spine,
+    with_legs,
+)
 from core.guidance.builtin.constructed.carnivore import Build, carnivore
 from core.guidance.builtin.constructed.draw import Draw
 from core.guidance.builtin.constructed.shapes import (
@@ -15,6 +23,7 @@ from core.guidance.builtin.constructed.shapes import (
     both_sides,
     joined,
     limb,
+    mirrored_limbs,
     plate,
     smooth_union,
 )
@@ -73,9 +82,7 @@ def _griffin(draw: Draw) -> Parts:
             (0.09, -0.5, 1.42, 0.008, 1),
         )
     )
-    head = smooth_union(
-        [*chest, *locks, *ears, *(one * np.array([-1, 1, 1, 1, 1]) for one in ears)], 0.02
-    )
+    head = smooth_union([*chest, *locks, *mirrored_limbs(ears)], 0.02)
     bill = one.on_head(
         spine(
             (-0.73, 1.17, 0.066, 0.85),
@@ -143,20 +150,18 @@ def _dragon(draw: Draw) -> Parts:
     nose = aside((0.04, -0.93, 1.41, 0.03), (0.04, -0.96, 1.39, 0.02))
     brow = aside((0.07, -0.66, 1.53, 0.03), (0.062, -0.74, 1.5, 0.03))
     spikes = []
-    back = np.array(
-        [
-            (-0.5, 1.34),
-            (-0.44, 1.12),
-            (-0.28, 0.93),
-            (-0.05, 0.86),
-            (0.2, 0.87),
-            (0.42, 0.86),
-            (0.66, 0.68),
-            (0.95, 0.47),
-        ]
-    )
+    back = [
+        (0, -0.5, 1.34),
+        (0, -0.44, 1.12),
+        (0, -0.28, 0.93),
+        (0, -0.05, 0.86),
+        (0, 0.2, 0.87),
+        (0, 0.42, 0.86),
+        (0, 0.66, 0.68),
+        (0, 0.95, 0.47),
+    ]
     for t in np.linspace(0, 1, 15):
-        y, z = (np.interp(t * 7, range(8), back[:, k]) for k in range(2))
+        _, y, z = along(back, t)
         high = 0.055 + 0.05 * np.sin(np.pi * t)
         spikes.append(
             limb(
